@@ -1,0 +1,100 @@
+#include "core/base/files.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <openssl/evp.h>
+
+#include "core/base/error.h"
+
+namespace kumite {
+namespace {
+
+/// "cannot WHAT PATH: why the system refused".
+Error systemError(const std::string& what, const std::filesystem::path& path) {
+    return Error(path.string() + ": cannot " + what + ": " + std::strerror(errno) + ".");
+}
+
+/// Closes a file descriptor at the end of its scope.
+struct Descriptor {
+    int number = -1;
+    ~Descriptor() {
+        if (number >= 0) ::close(number);
+    }
+};
+
+}  // namespace
+
+MappedFile::MappedFile(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path)) {
+        throw Error(path.string() + ": is a folder, expected a file.");
+    }
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    if (file.number < 0) throw systemError("read", path);
+    struct stat info {};
+    if (::fstat(file.number, &info) != 0) throw systemError("read", path);
+    size_ = static_cast<std::size_t>(info.st_size);
+    if (size_ == 0) return;  // an empty file cannot be mapped
+    void* data = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.number, 0);
+    if (data == MAP_FAILED) throw systemError("read", path);
+    data_ = static_cast<const char*>(data);
+}
+
+MappedFile::~MappedFile() {
+    if (data_) ::munmap(const_cast<char*>(data_), size_);
+}
+
+void writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
+    // A link is followed: the file it points to is replaced, the link stays.
+    std::filesystem::path target = path;
+    if (std::filesystem::is_symlink(path)) target = std::filesystem::weakly_canonical(path);
+    std::filesystem::path temporary = target;
+    temporary += ".part-" + std::to_string(::getpid());
+
+    const auto giveUp = [&](const std::string& what) {
+        const Error error = systemError(what, path);
+        ::unlink(temporary.c_str());
+        return error;
+    };
+    {
+        Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)};
+        if (file.number < 0) throw systemError("write", path);
+        struct stat old {};
+        if (::stat(target.c_str(), &old) == 0) ::fchmod(file.number, old.st_mode & 0777);
+        while (!content.empty()) {
+            const ssize_t written = ::write(file.number, content.data(), content.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) throw giveUp("write");
+            content.remove_prefix(static_cast<std::size_t>(written));
+        }
+        if (::fsync(file.number) != 0) throw giveUp("write");
+    }
+    if (::rename(temporary.c_str(), target.c_str()) != 0) throw giveUp("write");
+    // The rename itself must survive a power cut, too; where a folder cannot be synced, it is not.
+    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
+    const Descriptor directory{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    if (directory.number >= 0) ::fsync(directory.number);
+}
+
+std::string sha256(std::string_view bytes) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
+    unsigned int length = 0;
+    if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+        throw Error("The system's OpenSSL library cannot compute SHA-256.");
+    }
+    constexpr char kDigits[] = "0123456789abcdef";
+    std::string text;
+    for (unsigned int i = 0; i < length; ++i) {
+        text += kDigits[digest[i] >> 4];
+        text += kDigits[digest[i] & 15];
+    }
+    return text;
+}
+
+}  // namespace kumite

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace kumite {
+
+/// A file's bytes, mapped read-only for as long as the object lives. Errors name the path and the
+/// system's reason.
+class MappedFile {
+public:
+    explicit MappedFile(const std::filesystem::path& path);
+    ~MappedFile();
+    MappedFile(const MappedFile&) = delete;
+    MappedFile& operator=(const MappedFile&) = delete;
+
+    std::string_view bytes() const { return {data_, size_}; }
+
+private:
+    const char* data_ = nullptr;
+    std::size_t size_ = 0;
+};
+
+/// Writes `content` so that a reader, or a crash at any moment, sees either the old file or the
+/// whole new one: a temporary file beside it, flushed to disk, renamed over it.
+void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+
+/// SHA-256 as 64 lower-case hexadecimal digits.
+std::string sha256(std::string_view bytes);
+
+}  // namespace kumite

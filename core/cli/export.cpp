@@ -1,0 +1,30 @@
+#include "core/cli/command.h"
+#include "core/project/export.h"
+
+namespace kumite::cli {
+
+void addExport(CLI::App& app, Action& action) {
+    struct Options {
+        std::string project, take, out;
+    };
+    auto o = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "export", "Writes a take: its motion (.bvh, one file per player) or actions (.csv, .json).");
+    command->add_option("PROJECT", o->project, "a .kumite file")->required();
+    command->add_option("--take", o->take, "name of the take; may be left out if there is one");
+    command->add_option("--out", o->out, "file to write; its suffix says what")->required();
+    command->footer(
+        "A .bvh keeps the joints and channels of the recording; -1 and -2 are put before the "
+        "suffix.\nExample: kumite export bout.kumite --take round1 --out actions.csv");
+    command->callback([o, &action] {
+        action = [o](const Streams& streams) {
+            const OpenProject open = openProject(o->project, streams);
+            const int take = fighterNamed(open.project, o->take, 1).take;
+            for (const auto& file : exportTake(open.project, open.analysis, take, o->out)) {
+                streams.out << file.string() << "\n";
+            }
+        };
+    });
+}
+
+}  // namespace kumite::cli

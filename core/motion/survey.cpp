@@ -1,0 +1,192 @@
+#include "core/motion/survey.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/text.h"
+
+namespace kumite {
+namespace {
+
+using enum Role;
+
+struct Unit {
+    std::string_view name;
+    double metres;
+};
+
+// The CMU database's unit: 1/0.45 inch.
+constexpr std::array<Unit, 7> kUnits = {{{"m", 1.0},
+                                         {"dm", 0.1},
+                                         {"cm", 0.01},
+                                         {"mm", 0.001},
+                                         {"inch", 0.0254},
+                                         {"foot", 0.3048},
+                                         {"cmu", 0.0254 / 0.45}}};
+
+constexpr double kUsualLeg = 0.85;      // metres from hip to ankle of an adult
+constexpr double kShortestLeg = 0.55;   // outside these the unit is doubtful
+constexpr double kLongestLeg = 1.15;
+
+/// Length of the bones on the way from `ancestor` down to `joint`, file units.
+double boneLength(const Skeleton& skeleton, int ancestor, int joint) {
+    double length = 0;
+    for (; joint > ancestor; joint = skeleton.joints[static_cast<std::size_t>(joint)].parent) {
+        length += skeleton.joints[static_cast<std::size_t>(joint)].offset.norm();
+    }
+    return length;
+}
+
+/// Mean of both legs, hip to ankle, file units; 0 without legs.
+double legLengthInUnits(const Skeleton& skeleton, const RoleMap& roles) {
+    double sum = 0;
+    int legs = 0;
+    for (const bool left : {true, false}) {
+        const auto hip = roles[left ? LeftHip : RightHip];
+        const auto ankle = roles[left ? LeftAnkle : RightAnkle];
+        if (!hip || !ankle) continue;
+        sum += boneLength(skeleton, *hip, *ankle);
+        ++legs;
+    }
+    return legs > 0 ? sum / legs : 0;
+}
+
+const Unit& nearestUnit(double legInUnits) {
+    const auto misfit = [&](const Unit& unit) {
+        return std::abs(std::log(legInUnits * unit.metres / kUsualLeg));
+    };
+    return *std::min_element(kUnits.begin(), kUnits.end(), [&](const Unit& a, const Unit& b) {
+        return misfit(a) < misfit(b);
+    });
+}
+
+/// A look at some frames, evenly spread, in the file's own axes and units.
+JointPositions sampleFrames(const Motion& motion, int count) {
+    Motion sample;
+    sample.skeleton = motion.skeleton;
+    sample.frameCount = std::min(count, motion.frameCount);
+    for (int i = 0; i < sample.frameCount; ++i) {
+        const auto row = motion.frame(static_cast<int>(static_cast<std::int64_t>(i) *
+                                                       motion.frameCount / sample.frameCount));
+        sample.channels.insert(sample.channels.end(), row.begin(), row.end());
+    }
+    return forwardKinematics(sample, sample.frames(), {1.0, UpAxis::Y});
+}
+
+/// The axis along which the body stands over its feet, in most frames.
+UpAxis findUpAxis(const Motion& motion, const RoleMap& roles, Findings& findings) {
+    const auto top = roles.has(Neck) ? roles[Neck] : roles[Pelvis];
+    const auto left = roles[LeftAnkle];
+    const auto right = roles[RightAnkle];
+    if (!top || !left || !right) return UpAxis::Y;
+    constexpr int kSamples = 64;
+    const JointPositions sample = sampleFrames(motion, kSamples);
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (int frame = 0; frame < sample.frameCount; ++frame) {
+        sum += sample.at(frame, *top) - 0.5f * (sample.at(frame, *left) + sample.at(frame, *right));
+    }
+    const Eigen::Vector3f size = sum.cwiseAbs();
+    if (size.x() > size.y() && size.x() > size.z()) {
+        findings.push_back(warning(
+            "The body lies along the x axis; y was taken for up. Say which axis is up."));
+        return UpAxis::Y;
+    }
+    const UpAxis up = size.z() > size.y() ? UpAxis::Z : UpAxis::Y;
+    if ((up == UpAxis::Z ? sum.z() : sum.y()) < 0) {
+        findings.push_back(warning("The body stands on its head most of the time: is up right?"));
+    }
+    return up;
+}
+
+/// How far joints move between a frame and the next, the root's own motion left out: the mean
+/// over the joints in units of the leg (or, without one, of the skeleton's extent).
+std::vector<double> poseSteps(const JointPositions& positions) {
+    std::vector<double> steps;
+    for (int frame = 0; frame + 1 < positions.frameCount; ++frame) {
+        const Eigen::Vector3f shift = positions.at(frame + 1, 0) - positions.at(frame, 0);
+        double sum = 0;
+        for (int joint = 1; joint < positions.jointCount; ++joint) {
+            sum += (positions.at(frame + 1, joint) - positions.at(frame, joint) - shift).norm();
+        }
+        steps.push_back(sum / std::max(1, positions.jointCount - 1));
+    }
+    return steps;
+}
+
+/// A rest pose before the motion shows as frames that stand still and then a jump far beyond what
+/// the motion after it does in one frame.
+int findLeadingRest(const Motion& motion, double legInUnits) {
+    constexpr int kWindow = 240;       // frames looked at
+    constexpr double kStill = 1e-3;    // of a leg: sensor noise
+    constexpr double kJump = 0.04;     // of a leg, mean over all joints
+    constexpr double kTimesUsual = 8;  // the jump against the median step after it
+    const FrameRange look{0, std::min(kWindow, motion.frameCount)};
+    const std::vector<double> steps =
+        poseSteps(forwardKinematics(motion, look, {1.0 / legInUnits, UpAxis::Y}));
+    for (std::size_t i = 0; i + 4 < steps.size(); ++i) {
+        std::vector<double> after(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end());
+        const auto middle = after.begin() + static_cast<std::ptrdiff_t>(after.size() / 2);
+        std::nth_element(after.begin(), middle, after.end());
+        if (steps[i] > kJump && steps[i] > kTimesUsual * *middle) return static_cast<int>(i) + 1;
+        if (steps[i] > kStill) return 0;
+    }
+    return 0;
+}
+
+}  // namespace
+
+std::optional<double> metresPerUnitFromName(std::string_view name) {
+    for (const Unit& unit : kUnits) {
+        if (equalsIgnoringCase(unit.name, name)) return unit.metres;
+    }
+    const auto metres = parseNumber(name);
+    return metres && *metres > 0 ? metres : std::nullopt;
+}
+
+std::string unitNameOf(double metresPerUnit) {
+    for (const Unit& unit : kUnits) {
+        if (std::abs(metresPerUnit - unit.metres) <= 1e-4 * unit.metres) {
+            return std::string(unit.name);
+        }
+    }
+    return shortest(metresPerUnit) + " m";
+}
+
+Survey surveyMotion(const Motion& motion, const SurveyOverrides& overrides) {
+    Survey survey;
+    survey.roles = mapRoles(*motion.skeleton);
+    survey.findings = survey.roles.findings;
+    const RoleMap& roles = survey.roles.roles;
+
+    const double leg = legLengthInUnits(*motion.skeleton, roles);
+    const auto found = leg > 0 ? std::optional(nearestUnit(leg)) : std::nullopt;
+    survey.space.metresPerUnit = overrides.metresPerUnit.value_or(found ? found->metres : 0.01);
+    survey.unitName = unitNameOf(survey.space.metresPerUnit);
+    survey.legLength = leg * survey.space.metresPerUnit;
+    if (!found && !overrides.metresPerUnit) {
+        survey.findings.push_back(
+            warning("Without legs the unit cannot be found; centimetres are assumed."));
+    }
+    if (found && (survey.legLength < kShortestLeg || survey.legLength > kLongestLeg)) {
+        survey.findings.push_back(warning(fmt::format(
+            "The legs would be {} m long: is the unit ({}) right?", fixed(survey.legLength, 2),
+            survey.unitName)));
+    }
+    survey.space.up =
+        overrides.up ? *overrides.up : findUpAxis(motion, roles, survey.findings);
+    survey.rate = overrides.rate.value_or(rateOf(motion.frameTime));
+    if (leg > 0) survey.leadingRestFrames = findLeadingRest(motion, leg);
+    if (survey.leadingRestFrames > 0) {
+        survey.findings.push_back(note(
+            survey.leadingRestFrames == 1
+                ? std::string("Frame 0 is a rest pose, not motion; takes leave it out.")
+                : fmt::format("Frames 0 to {} are a rest pose, not motion; takes leave them out.",
+                              survey.leadingRestFrames - 1)));
+    }
+    return survey;
+}
+
+}  // namespace kumite

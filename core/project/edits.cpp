@@ -1,0 +1,154 @@
+#include "core/project/edits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+
+namespace kumite {
+namespace {
+
+/// The project with one fighter changed by `change`, or nothing if that changed nothing.
+template <typename Change>
+MaybeEdit changeFighter(const Project& project, FighterAddress address, std::string name,
+                        const Change& change) {
+    Edit edit{project, std::move(name)};
+    Fighter& fighter = fighterAt(edit.project, address);
+    change(fighter);
+    if (fighter == fighterAt(project, address)) return std::nullopt;
+    return edit;
+}
+
+void requireFinite(double value, const char* what) {
+    if (!std::isfinite(value)) throw Error(std::string(what) + " must be a number.");
+}
+
+bool isTaken(const Project& project, const std::string& name) {
+    return std::any_of(project.takes.begin(), project.takes.end(),
+                       [&](const Take& take) { return take.name == name; });
+}
+
+std::string who(FighterAddress fighter) {
+    return fmt::format(", fighter {}", fighter.player + 1);
+}
+
+}  // namespace
+
+MaybeEdit setSegmentation(const Project& project, const SegmentationSettings& settings) {
+    if (!(settings.cutoff > 0) || !std::isfinite(settings.cutoff)) {
+        throw Error("The cutoff must be a positive number of Hz.");
+    }
+    if (!(settings.prominence >= 0) || !std::isfinite(settings.prominence)) {
+        throw Error("The prominence must be a number of body weights, 0 or more.");
+    }
+    if (settings == project.segmentation) return std::nullopt;
+    Edit edit{project, "Change segmentation settings"};
+    edit.project.segmentation = settings;
+    return edit;
+}
+
+MaybeEdit setBodyModel(const Project& project, const BodyModel& model) {
+    if (model == project.bodyModel) return std::nullopt;
+    Edit edit{project, "Change body model to " + model.name};
+    edit.project.bodyModel = model;
+    return edit;
+}
+
+MaybeEdit addTake(const Project& project, const Take& take) {
+    if (take.name.empty()) throw Error("A take needs a name.");
+    if (isTaken(project, take.name)) {
+        throw Error("There is a take named \"" + take.name + "\" already.");
+    }
+    if (take.fighters.empty() || take.fighters.size() > 2) {
+        throw Error("A take has one or two fighters.");
+    }
+    Edit edit{project, "Add take " + take.name};
+    edit.project.takes.push_back(take);
+    return edit;
+}
+
+MaybeEdit removeTake(const Project& project, int take) {
+    Edit edit{project, "Remove take " + project.takes.at(static_cast<std::size_t>(take)).name};
+    edit.project.takes.erase(edit.project.takes.begin() + take);
+    return edit;
+}
+
+MaybeEdit renameTake(const Project& project, int take, const std::string& name) {
+    const std::string& old = project.takes.at(static_cast<std::size_t>(take)).name;
+    if (name == old) return std::nullopt;
+    if (name.empty()) throw Error("A take needs a name.");
+    if (isTaken(project, name)) throw Error("There is a take named \"" + name + "\" already.");
+    Edit edit{project, "Rename take to " + name};
+    edit.project.takes[static_cast<std::size_t>(take)].name = name;
+    return edit;
+}
+
+MaybeEdit swapFighters(const Project& project, int take) {
+    if (project.takes.at(static_cast<std::size_t>(take)).fighters.size() < 2) {
+        throw Error("There is one fighter only: nothing to swap.");
+    }
+    Edit edit{project, "Swap fighters"};
+    auto& fighters = edit.project.takes[static_cast<std::size_t>(take)].fighters;
+    std::swap(fighters[0], fighters[1]);
+    return edit;
+}
+
+MaybeEdit setOffset(const Project& project, FighterAddress address, double seconds) {
+    requireFinite(seconds, "A time offset");
+    return changeFighter(project, address, "Change time offset" + who(address),
+                         [&](Fighter& fighter) { fighter.offset = seconds; });
+}
+
+MaybeEdit setPlacement(const Project& project, FighterAddress address, const Placement& placement) {
+    requireFinite(placement.x + placement.z + placement.yaw, "A placement");
+    return changeFighter(project, address, "Place" + who(address),
+                         [&](Fighter& fighter) { fighter.placement = placement; });
+}
+
+MaybeEdit setFloor(const Project& project, FighterAddress address, std::optional<double> metres) {
+    if (metres) requireFinite(*metres, "The floor's height");
+    return changeFighter(project, address, "Change floor" + who(address),
+                         [&](Fighter& fighter) { fighter.floor = metres; });
+}
+
+MaybeEdit setRole(const Project& project, FighterAddress address, Role role,
+                  std::optional<int> joint) {
+    const Fighter& fighter = fighterAt(project, address);
+    const int jointCount = fighter.motion ? fighter.motion->skeleton->jointCount() : 0;
+    if (joint && (*joint < 0 || *joint >= jointCount)) {
+        throw Error("The skeleton has no such joint.");
+    }
+    return changeFighter(project, address,
+                         "Change role " + std::string(roleName(role)) + who(address),
+                         [&](Fighter& changed) {
+                             if (joint) {
+                                 changed.roles.set(role, *joint);
+                             } else {
+                                 changed.roles.clear(role);
+                             }
+                         });
+}
+
+MaybeEdit relinkRecording(const Project& project, FighterAddress address,
+                          const RecordingRef& recording, std::shared_ptr<const Motion> motion) {
+    const Fighter& fighter = fighterAt(project, address);
+    if (motion->frameCount < fighter.frames.end) {
+        throw Error(fmt::format("{} holds {} frames, but the take reaches to frame {}: it is not "
+                                "the recording that is missing.",
+                                recording.path.string(), motion->frameCount, fighter.frames.end));
+    }
+    for (const Role role : allRoles()) {
+        if (fighter.roles[role].value_or(-1) < motion->skeleton->jointCount()) continue;
+        throw Error(recording.path.string() +
+                    " has another skeleton: it is not the recording that is missing.");
+    }
+    return changeFighter(project, address, "Relink recording" + who(address),
+                         [&](Fighter& changed) {
+                             changed.recording = recording;
+                             changed.motion = std::move(motion);
+                         });
+}
+
+}  // namespace kumite

@@ -1,0 +1,39 @@
+#include "core/project/history.h"
+
+#include <cassert>
+
+namespace kumite {
+
+History::History(Project initial, std::string name) {
+    steps_.push_back({std::move(initial), std::move(name)});
+}
+
+void History::commit(Edit edit) {
+    if (saved_ != kNever && saved_ > at_) saved_ = kNever;
+    steps_.resize(at_ + 1);
+    steps_.push_back({std::move(edit.project), std::move(edit.name)});
+    ++at_;
+}
+
+std::string History::undoName() const {
+    return canUndo() ? steps_[at_].name : std::string();
+}
+
+std::string History::redoName() const {
+    return canRedo() ? steps_[at_ + 1].name : std::string();
+}
+
+void History::undo() {
+    if (canUndo()) --at_;
+}
+
+void History::redo() {
+    if (canRedo()) ++at_;
+}
+
+void History::goTo(std::size_t step) {
+    assert(step < steps_.size());
+    at_ = step;
+}
+
+}  // namespace kumite

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+namespace kumite {
+
+/// What a user decided about one boundary, kept apart from detection (method A2).
+///
+/// Remove: the minimum (or added boundary) at `frame` is spurious.
+/// Add: there is a boundary at `frame`.
+/// Move: the minimum at `frame` is a boundary that stands at `to`.
+///
+/// `frame` refers to a minimum by nearness: it means the nearest one within 0.1 s, so that a
+/// correction survives a change of cutoff or threshold.
+struct Correction {
+    enum class Kind { Remove, Add, Move };
+
+    Kind kind = Kind::Remove;
+    int frame = 0;
+    int to = 0;  ///< Move only
+    /// Add only: made while another boundary stood within 0.1 s, so it is never taken for that one.
+    bool beside = false;
+
+    bool operator==(const Correction&) const = default;
+};
+
+/// The correction in words: "remove 120", "add 64", "move 88 to 91".
+std::string correctionText(const Correction& correction);
+
+/// How far a minimum may wander and still be the one that a correction means, seconds.
+inline constexpr double kCorrectionReach = 0.1;
+
+}  // namespace kumite

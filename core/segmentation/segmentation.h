@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/segmentation/corrections.h"
+#include "core/segmentation/force_minima.h"
+
+namespace kumite {
+
+/// Where a boundary comes from.
+enum class BoundarySource { End, Detected, Moved, Added };
+
+/// A frame at which one action ends and the next begins; it belongs to both.
+struct Boundary {
+    int frame = 0;
+    BoundarySource source = BoundarySource::Detected;
+    std::optional<int> minimum;  ///< index of the force minimum it stands for, if any
+
+    bool operator==(const Boundary&) const = default;
+};
+
+/// What lies between two boundaries. `begin` and `end` are boundary frames (both inclusive: the
+/// boundary frame belongs to both neighbours). The peak, the highest force strictly inside (the
+/// first of equals; `begin` where nothing is inside), is the action's identity: labels stay with
+/// it when boundaries move.
+struct Action {
+    int begin = 0;
+    int end = 0;
+    int peak = 0;
+
+    bool operator==(const Action&) const = default;
+};
+
+/// A fighter's stream cut into actions.
+struct Segmentation {
+    std::vector<Boundary> boundaries;   ///< in order of time; first and last frame always
+    std::vector<Action> actions;        ///< gapless: actions[i].end == actions[i + 1].begin
+    std::vector<int> removedMinima;     ///< indices of minima that a hand removed
+    std::vector<int> removedAdded;      ///< frames of added boundaries that a hand removed again
+    std::vector<Correction> unmatched;  ///< corrections that no longer mean any minimum
+
+    bool operator==(const Segmentation&) const = default;
+};
+
+/// The minimum (its index) that a correction at `frame` means: the nearest within `reach` frames
+/// among those whose prominence reaches `threshold`, else the nearest of any. Of two as near, the
+/// earlier.
+std::optional<int> meantMinimum(std::span<const ForceMinimum> minima, double threshold, int frame,
+                                double reach);
+
+/// Boundaries = first frame, last frame, every minimum whose prominence reaches `threshold` (body
+/// weights), and the corrections (method A2). `minima` are all minima of `curve`; `reach` is how
+/// far a correction may look for its minimum, in frames. A curve of one frame gives one action
+/// that begins and ends there; an empty curve gives nothing.
+Segmentation segment(std::span<const double> curve, std::span<const ForceMinimum> minima,
+                     double threshold, std::span<const Correction> corrections, double reach);
+
+}  // namespace kumite

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/segmentation/force_minima.h"
+#include "core/segmentation/segmentation.h"
+
+namespace kumite {
+
+/// How likely each minimum is to be spurious, in [0, 1], one per minimum; minima below the
+/// threshold get 0 (they cut nothing).
+using Suspicion = std::vector<double>;
+
+/// What is known about a fighter when minima are judged.
+struct SuspicionInput {
+    std::span<const double> curve;  ///< body weights
+    std::span<const ForceMinimum> minima;
+    const Segmentation* segmentation = nullptr;
+    std::span<const float> footSpeed;  ///< of the faster foot, m/s, one per frame; may be empty
+    double rate = 0;                   ///< Hz
+    double threshold = 0;              ///< body weights
+};
+
+/// Logistic regression on prominence, depth, distance to the neighbours and foot speed (a slow
+/// kick is the usual culprit), started from a prior and fitted to what hands removed or moved in
+/// all `fighters` together. Deterministic. One result per input.
+std::vector<Suspicion> rankSuspicion(std::span<const SuspicionInput> fighters);
+
+}  // namespace kumite

@@ -1,0 +1,173 @@
+// How fast BVH text becomes channel values: Kumite, Assimp, and one bare std::from_chars pass over
+// the same numbers, on one core. Reads the real recordings (KUMITE_DATA, else shared/data beside
+// the working folder) or, without them, a made file. Prints the ratios at the end.
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <assimp/scene.h>
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <assimp/Importer.hpp>
+
+#include "core/formats/bvh.h"
+
+namespace {
+
+struct Sample {
+    std::string name;
+    std::string text;
+};
+
+std::string readText(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+/// 3 MB: 43 joints in a chain, 129 + 3 channels, six decimals.
+std::string madeText() {
+    constexpr int kJoints = 43;
+    constexpr int kFrames = 2400;
+    std::string text =
+        "HIERARCHY\nROOT Hips\n{\nOFFSET 0 0 0\nCHANNELS 6 Xposition Yposition "
+        "Zposition Zrotation Yrotation Xrotation\n";
+    for (int j = 1; j < kJoints; ++j) {
+        text += fmt::format(
+            "JOINT Joint{}\n{{\nOFFSET 0 {}.5 0\nCHANNELS 3 Zrotation Xrotation "
+            "Yrotation\n",
+            j, j);
+    }
+    for (int j = 0; j < kJoints; ++j)
+        text += "}\n";
+    text += fmt::format("MOTION\nFrames: {}\nFrame Time: 0.00833333\n", kFrames);
+    for (int frame = 0; frame < kFrames; ++frame) {
+        for (int c = 0; c < 3 * kJoints + 3; ++c) {
+            text += fmt::format("{:.6f} ", 90 * std::sin(0.01 * frame + c));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+const std::vector<Sample>& samples() {
+    static const std::vector<Sample> all = [] {
+        std::vector<Sample> found;
+        const char* set = std::getenv("KUMITE_DATA");
+        const std::filesystem::path folder = set ? set : "../shared/data";
+        for (const std::string name : {"cmu_karate/martial_03.bvh", "cmu_salsa/60_01.bvh",
+                                       "awkward/Boxing_Toes.bvh", "cmu_karate/martial_04.bvh"}) {
+            if (!std::filesystem::exists(folder / name)) continue;
+            found.push_back({std::filesystem::path(name).stem().string(), readText(folder / name)});
+        }
+        if (found.empty()) found.push_back({"made", madeText()});
+        return found;
+    }();
+    return all;
+}
+
+void countBytes(benchmark::State& state, const Sample& sample) {
+    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
+                            static_cast<std::int64_t>(sample.text.size()));
+}
+
+void readWithKumite(benchmark::State& state, const Sample& sample) {
+    for (auto step : state) {
+        const kumite::Recording recording = kumite::readBvh(sample.text, sample.name);
+        benchmark::DoNotOptimize(recording.motions.front()->channels.data());
+    }
+    countBytes(state, sample);
+}
+
+void readWithAssimp(benchmark::State& state, const Sample& sample) {
+    for (auto step : state) {
+        Assimp::Importer importer;
+        const aiScene* scene =
+            importer.ReadFileFromMemory(sample.text.data(), sample.text.size(), 0, "bvh");
+        if (!scene) state.SkipWithError(importer.GetErrorString());
+        benchmark::DoNotOptimize(scene);
+    }
+    countBytes(state, sample);
+}
+
+void readBareNumbers(benchmark::State& state, const Sample& sample) {
+    const std::size_t header = sample.text.find("Frame Time:");
+    const std::size_t begin = sample.text.find('\n', header);
+    for (auto step : state) {
+        const char* at = sample.text.data() + begin;
+        const char* const end = sample.text.data() + sample.text.size();
+        double sum = 0;
+        for (;;) {
+            while (at != end && (*at == ' ' || (*at >= '\t' && *at <= '\r')))
+                ++at;
+            if (at == end) break;
+            double value = 0;
+            at = std::from_chars(at, end, value).ptr;
+            sum += value;
+        }
+        benchmark::DoNotOptimize(sum);
+    }
+    countBytes(state, sample);
+}
+
+/// The usual table, and the bytes per second of each run kept for the ratios.
+class RatioReporter : public benchmark::ConsoleReporter {
+public:
+    void ReportRuns(const std::vector<Run>& runs) override {
+        ConsoleReporter::ReportRuns(runs);
+        for (const Run& run : runs) {
+            const auto speed = run.counters.find("bytes_per_second");
+            if (run.error_occurred || speed == run.counters.end()) continue;
+            double& best = speeds_[run.benchmark_name()];
+            best = std::max(best, speed->second.value);
+        }
+    }
+
+    void printRatios() const {
+        constexpr double kMegabyte = 1e6;
+        fmt::print("\n{:<14}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "file", "Kumite", "Assimp", "bare",
+                   "x Assimp", "x bare");
+        for (const Sample& sample : samples()) {
+            const double kumite = speedOf("BM_Kumite", sample);
+            const double assimp = speedOf("BM_Assimp", sample);
+            const double bare = speedOf("BM_BareFromChars", sample);
+            fmt::print("{:<14}{:>7.0f} MB/s{:>7.0f} MB/s{:>7.0f} MB/s{:>12.1f}{:>12.2f}\n",
+                       sample.name, kumite / kMegabyte, assimp / kMegabyte, bare / kMegabyte,
+                       kumite / assimp, kumite / bare);
+        }
+    }
+
+private:
+    double speedOf(const std::string& benchmark, const Sample& sample) const {
+        const auto found = speeds_.find(benchmark + "/" + sample.name);
+        return found == speeds_.end() ? std::nan("") : found->second;
+    }
+
+    std::map<std::string, double> speeds_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    for (const Sample& sample : samples()) {
+        const auto add = [&](const std::string& name, auto* function) {
+            benchmark::RegisterBenchmark((name + "/" + sample.name).c_str(), function, sample)
+                ->Unit(benchmark::kMillisecond);
+        };
+        add("BM_Kumite", readWithKumite);
+        add("BM_Assimp", readWithAssimp);
+        add("BM_BareFromChars", readBareNumbers);
+    }
+    RatioReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    reporter.printRatios();
+}
