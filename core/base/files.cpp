@@ -32,7 +32,8 @@ struct Descriptor {
 }  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path)) {
+    std::error_code unknown;  // what cannot be examined fails below, with the system's reason
+    if (std::filesystem::is_directory(path, unknown)) {
         throw Error(path.string() + ": is a folder, expected a file.");
     }
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};

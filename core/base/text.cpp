@@ -6,6 +6,15 @@
 #include <cmath>
 
 namespace kumite {
+namespace {
+
+/// std::from_chars knows no leading plus. "+-1" stays as it is: no number.
+std::string_view withoutPlus(std::string_view text) {
+    const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-' && text[1] != '+';
+    return plus ? text.substr(1) : text;
+}
+
+}  // namespace
 
 std::string shortest(double value) {
     if (std::isnan(value)) return "nan";
@@ -27,8 +36,7 @@ std::string fixed(double value, int decimals) {
 }
 
 std::optional<double> parseNumber(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
-    if (text.starts_with('+')) return std::nullopt;
+    text = withoutPlus(text);
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
@@ -38,7 +46,7 @@ std::optional<double> parseNumber(std::string_view text) {
 }
 
 std::optional<int> parseInteger(std::string_view text) {
-    if (text.starts_with('+')) text.remove_prefix(1);
+    text = withoutPlus(text);
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;

@@ -165,7 +165,9 @@ void addInfo(CLI::App& app, Action& action) {
                 gather(motionOfRoot(recording, o->root), streams.progress("computing"));
             const std::string root = o->root.empty() ? rootNames(recording).front() : o->root;
             if (o->json) {
-                streams.out << toJson(facts, recording, root).dump(1) << "\n";
+                streams.out << toJson(facts, recording, root)
+                                   .dump(1, ' ', false, Json::error_handler_t::replace)
+                            << "\n";
                 return;
             }
             printText(facts, recording, root, streams);

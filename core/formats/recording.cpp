@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -92,7 +93,8 @@ bool namesFit(const fs::path& asf, const fs::path& amc) {
 fs::path findAsf(const fs::path& amc) {
     const fs::path folder = amc.has_parent_path() ? amc.parent_path() : fs::path(".");
     std::vector<fs::path> all;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::error_code unreadable;  // a folder that cannot be listed counts as one without an .asf
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, unreadable)) {
         if (lowerCase(entry.path().extension().string()) == ".asf") {
             all.push_back(amc.parent_path() / entry.path().filename());
         }
@@ -134,7 +136,12 @@ Recording readAsfAndAmc(const fs::path& amc, std::string_view amcText, const Rea
 
 Recording readRecording(const fs::path& path, const ReadOptions& options,
                         const Progress& progress) {
-    if (!fs::exists(path)) throw InputError(path.string(), 0, 0, "there is no such file.");
+    std::error_code error;
+    if (!fs::exists(path, error)) {
+        throw InputError(
+            path.string(), 0, 0,
+            error ? "cannot be read: " + error.message() + "." : "there is no such file.");
+    }
     const MappedFile file(path);
     const std::string_view bytes = file.bytes();
     const std::string extension = lowerCase(path.extension().string());

@@ -34,8 +34,8 @@ Recording readRecording(const std::filesystem::path& path, const ReadOptions& op
                         const Progress& progress = {});
 
 /// The motion of `recording` that `root` names: its root joint's name, or `NAME#2`, or `#2` for
-/// the second in the file (names may be equal). Empty: the first. Throws Error that lists what
-/// there is.
+/// the second in the file (names may be equal; NAME alone is then the first of them). Empty: the
+/// first. Throws Error that lists what there is.
 std::shared_ptr<const Motion> motionOfRoot(const Recording& recording, const std::string& root);
 
 /// How the motions of a recording are named for `motionOfRoot`: "Hips", or "Hips#1", "Hips#2"

@@ -116,21 +116,49 @@ std::vector<double> poseSteps(const JointPositions& positions) {
     return steps;
 }
 
+/// Mean distance of a pose's joints from where they are with all rotations zero, both seen from
+/// the root; in the unit of `positions`.
+double distanceFromRest(const JointPositions& positions, int frame, const Skeleton& skeleton,
+                        double unit) {
+    const std::vector<Eigen::Vector3d> rest = skeleton.restPositions();
+    double sum = 0;
+    for (int joint = 1; joint < positions.jointCount; ++joint) {
+        const Eigen::Vector3f own = positions.at(frame, joint) - positions.at(frame, 0);
+        sum += (own.cast<double>() - unit * rest[static_cast<std::size_t>(joint)]).norm();
+    }
+    return sum / std::max(1, positions.jointCount - 1);
+}
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
 /// A rest pose before the motion shows as frames that stand still and then a jump far beyond what
-/// the motion after it does in one frame.
+/// the motion after it does in one frame. Filtered data smears the jump over some frames: there
+/// the pose itself must be the skeleton's rest pose, else filtered motion would be taken for one.
 int findLeadingRest(const Motion& motion, double legInUnits) {
     constexpr int kWindow = 240;       // frames looked at
     constexpr double kStill = 1e-3;    // of a leg: sensor noise
     constexpr double kJump = 0.04;     // of a leg, mean over all joints
     constexpr double kTimesUsual = 8;  // the jump against the median step after it
+    constexpr double kTimesNext = 3;   // the jump against the next step: not smeared
+    constexpr double kNearRest = 0.1;  // of a leg
     const FrameRange look{0, std::min(kWindow, motion.frameCount)};
-    const std::vector<double> steps =
-        poseSteps(forwardKinematics(motion, look, {1.0 / legInUnits, UpAxis::Y}));
+    const double unit = 1.0 / legInUnits;
+    const JointPositions positions = forwardKinematics(motion, look, {unit, UpAxis::Y});
+    const std::vector<double> steps = poseSteps(positions);
     for (std::size_t i = 0; i + 4 < steps.size(); ++i) {
-        std::vector<double> after(steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end());
-        const auto middle = after.begin() + static_cast<std::ptrdiff_t>(after.size() / 2);
-        std::nth_element(after.begin(), middle, after.end());
-        if (steps[i] > kJump && steps[i] > kTimesUsual * *middle) return static_cast<int>(i) + 1;
+        const double usual =
+            medianOf({steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end()});
+        const bool jumps = steps[i] > kJump && steps[i] > kTimesUsual * usual;
+        if (jumps) {
+            const int frame = static_cast<int>(i);
+            const bool sharp = steps[i] > kTimesNext * steps[i + 1];
+            const bool atRest = distanceFromRest(positions, frame, *motion.skeleton, unit) < kNearRest;
+            return sharp || atRest ? frame + 1 : 0;
+        }
         if (steps[i] > kStill) return 0;
     }
     return 0;

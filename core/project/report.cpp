@@ -110,7 +110,8 @@ std::string segmentationJson(const Project& project, const Analysis& analysis,
                          {"prominence_bw", settings.prominence},
                          {"curve", settings.curve == ForceCurve::Norm ? "norm" : "vertical"},
                          {"takes", std::move(takes)}};
-    return report.dump(1) + "\n";
+    // Names may hold bytes that are no text.
+    return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string actionsCsv(const Project& project, const Analysis& analysis, std::optional<int> take) {
