@@ -86,7 +86,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
 std::string sha256(std::string_view bytes) {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
     unsigned int length = 0;
-    if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) != 1) {
+    if (EVP_Digest(bytes.data(), bytes.size(), digest.data(), &length, EVP_sha256(), nullptr) !=
+        1) {
         throw Error("The system's OpenSSL library cannot compute SHA-256.");
     }
     constexpr char kDigits[] = "0123456789abcdef";

@@ -26,7 +26,8 @@ void forBlocks(FrameRange range, int blockSize, const std::function<void(FrameRa
     };
     const int cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     std::vector<std::jthread> others;
-    for (int i = 1; i < std::min(cores, blockCount); ++i) others.emplace_back(takeBlocks);
+    for (int i = 1; i < std::min(cores, blockCount); ++i)
+        others.emplace_back(takeBlocks);
     takeBlocks();
     others.clear();
     for (const std::exception_ptr& error : errors) {

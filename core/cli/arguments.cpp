@@ -38,7 +38,8 @@ OpenProject openProject(const std::string& path, const Streams& streams) {
 FighterAddress fighterNamed(const Project& project, const std::string& take, int player) {
     FighterAddress address;
     if (take.empty()) {
-        if (project.takes.size() != 1) throw UsageError("Say which take is meant with --take NAME.");
+        if (project.takes.size() != 1)
+            throw UsageError("Say which take is meant with --take NAME.");
     } else {
         address.take = takeNamed(project, take);
     }

@@ -28,8 +28,8 @@ void addCorrect(CLI::App& app, Action& action) {
         bool forget = false;
     };
     auto o = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand(
-        "correct", "Corrects one boundary and saves the project.");
+    CLI::App* command =
+        app.add_subcommand("correct", "Corrects one boundary and saves the project.");
     command->add_option("PROJECT", o->project, "a .kumite file")->required();
     command->add_option("--take", o->take, "name of the take; may be left out if there is one");
     command->add_option("--player", o->player, "1 or 2")->check(CLI::Range(1, 2));
@@ -55,7 +55,8 @@ void addCorrect(CLI::App& app, Action& action) {
             }
             if (o->add) edit = addBoundary(open.project, open.analysis, fighter, *o->add);
             if (move) {
-                edit = moveBoundary(open.project, open.analysis, fighter, move->first, move->second);
+                edit =
+                    moveBoundary(open.project, open.analysis, fighter, move->first, move->second);
             }
             if (o->forget) edit = dropUnmatchedCorrections(open.project, open.analysis, fighter);
             if (!edit) {

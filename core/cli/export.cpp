@@ -1,5 +1,5 @@
-#include "core/cli/command.h"
 #include "core/project/export.h"
+#include "core/cli/command.h"
 
 namespace kumite::cli {
 
@@ -9,7 +9,8 @@ void addExport(CLI::App& app, Action& action) {
     };
     auto o = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
-        "export", "Writes a take: its motion (.bvh, one file per player) or actions (.csv, .json).");
+        "export",
+        "Writes a take: its motion (.bvh, one file per player) or actions (.csv, .json).");
     command->add_option("PROJECT", o->project, "a .kumite file")->required();
     command->add_option("--take", o->take, "name of the take; may be left out if there is one");
     command->add_option("--out", o->out, "file to write; its suffix says what")->required();

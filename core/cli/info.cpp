@@ -114,22 +114,21 @@ void printText(const Facts& facts, const Recording& recording, const std::string
         streams.out << fmt::format("{:<10} {}\n", what, value);
     };
     const auto roots = rootNames(recording);
-    line("skeleton", fmt::format("{} joints, {} channels, root {}{}", jointCount(skeleton),
-                                 skeleton.channelCount, root,
-                                 roots.size() > 1
-                                     ? fmt::format(" (of {}; choose with --root)",
-                                                   fmt::join(roots, ", "))
-                                     : ""));
+    line("skeleton",
+         fmt::format(
+             "{} joints, {} channels, root {}{}", jointCount(skeleton), skeleton.channelCount, root,
+             roots.size() > 1 ? fmt::format(" (of {}; choose with --root)", fmt::join(roots, ", "))
+                              : ""));
     line("motion", fmt::format("{} frames at {:g} Hz, {:.2f} s", facts.motion->frameCount,
                                survey.rate, facts.motion->frameCount / survey.rate));
-    line("unit", fmt::format("{} ({} m){}", survey.unitName, shortest(survey.space.metresPerUnit),
-                             survey.legLength > 0
-                                 ? fmt::format(", legs {:.2f} m", survey.legLength)
-                                 : ""));
+    line("unit",
+         fmt::format("{} ({} m){}", survey.unitName, shortest(survey.space.metresPerUnit),
+                     survey.legLength > 0 ? fmt::format(", legs {:.2f} m", survey.legLength) : ""));
     line("up", survey.space.up == UpAxis::Y ? "y" : "z");
     if (facts.floor) line("floor", fmt::format("{:.3f} m", *facts.floor));
-    line("space", fmt::format("{:.2f} × {:.2f} × {:.2f} m (x, y, z)", facts.high.x() - facts.low.x(),
-                              facts.high.y() - facts.low.y(), facts.high.z() - facts.low.z()));
+    line("space",
+         fmt::format("{:.2f} × {:.2f} × {:.2f} m (x, y, z)", facts.high.x() - facts.low.x(),
+                     facts.high.y() - facts.low.y(), facts.high.z() - facts.low.z()));
     if (facts.skate) {
         line("feet", fmt::format("{:.1f} % of frames skate", 100 * facts.skate->ratio()));
     }
@@ -159,8 +158,7 @@ void addInfo(CLI::App& app, Action& action) {
         action = [o](const Streams& streams) {
             ReadOptions read;
             if (!o->asf.empty()) read.asf = o->asf;
-            const Recording recording =
-                readRecording(o->file, read, streams.progress("reading"));
+            const Recording recording = readRecording(o->file, read, streams.progress("reading"));
             const Facts facts =
                 gather(motionOfRoot(recording, o->root), streams.progress("computing"));
             const std::string root = o->root.empty() ? rootNames(recording).front() : o->root;

@@ -43,10 +43,10 @@ void addJoints(CLI::App& app, Action& action) {
             }
             const Survey survey = surveyMotion(*motion, overrides);
             printFindings(recording.findings, streams);
-            const JointPositions positions = forwardKinematics(
-                *motion, frames, survey.space, streams.progress("computing"));
-            writeFileAtomically(o->out, jointPositionsCsv(*motion->skeleton, positions,
-                                                          frames.begin, o->endSites));
+            const JointPositions positions =
+                forwardKinematics(*motion, frames, survey.space, streams.progress("computing"));
+            writeFileAtomically(
+                o->out, jointPositionsCsv(*motion->skeleton, positions, frames.begin, o->endSites));
         };
     });
 }

@@ -13,7 +13,8 @@
 namespace kumite::cli {
 namespace {
 
-constexpr char kHelp[] = R"(Usage: kumite new --out P.kumite --take NAME A [B] [options] [--take NAME …]
+constexpr char kHelp[] =
+    R"(Usage: kumite new --out P.kumite --take NAME A [B] [options] [--take NAME …]
 A and B are the recordings of fighter 1 and 2. Further --take groups add takes.
 
 Of the take:
@@ -147,9 +148,10 @@ private:
         const auto found = roleFromName(text.substr(0, equals));
         if (equals == std::string::npos || !found) {
             std::string known;
-            for (const Role r : allRoles()) known += " " + std::string(roleName(r));
-            throw UsageError("\"" + text + "\" is no role, expected ROLE=JOINT with one of" + known +
-                             ".");
+            for (const Role r : allRoles())
+                known += " " + std::string(roleName(r));
+            throw UsageError("\"" + text + "\" is no role, expected ROLE=JOINT with one of" +
+                             known + ".");
         }
         return {*found, text.substr(equals + 1)};
     }

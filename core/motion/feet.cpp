@@ -30,8 +30,8 @@ std::vector<bool> skates(std::span<const Eigen::Vector3f> toe, double rate, doub
         const std::size_t begin = i > half ? i - half : 0;
         const std::size_t end = std::min(intervals, i + half + 1);
         const double mean = (sum[end] - sum[begin]) / width;
-        const bool low = toe[i].y() - floor < kContactHeight &&
-                         toe[i + 1].y() - floor < kContactHeight;
+        const bool low =
+            toe[i].y() - floor < kContactHeight && toe[i + 1].y() - floor < kContactHeight;
         result[i] = low && speed[i] > kSkateSpeed && mean > kSkateSpeed;
     }
     return result;

@@ -28,7 +28,7 @@ std::optional<double> floorHeight(const Skeleton& skeleton, const RoleMap& roles
 /// speed, and the mean of that speed over 0.25 s around it, are both above 0.5 m/s.
 struct FootSkate {
     int intervals = 0;
-    int left = 0;   ///< intervals in which that foot skates
+    int left = 0;  ///< intervals in which that foot skates
     int right = 0;
     int either = 0;
     double ratio() const { return intervals > 0 ? double(either) / intervals : 0.0; }

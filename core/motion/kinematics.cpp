@@ -37,7 +37,8 @@ struct Plan {
     std::vector<char> hasFrame;  ///< the joint's rotations act in a frame of their own
 
     explicit Plan(const Skeleton& s) : skeleton(s) {
-        for (const Joint& joint : s.joints) hasFrame.push_back(!joint.rotationFrame.isIdentity(0));
+        for (const Joint& joint : s.joints)
+            hasFrame.push_back(!joint.rotationFrame.isIdentity(0));
     }
 
     void place(std::size_t index, const double* row, std::vector<JointFrame>& frames) const {
@@ -91,12 +92,13 @@ JointPositions forwardKinematics(const Motion& motion, FrameRange frames,
         std::vector<JointFrame> world(joints);
         for (int frame = block.begin; frame < block.end; ++frame) {
             const double* row = motion.frame(frame).data();
-            float* out = result.xyz.data() +
-                         3 * joints * static_cast<std::size_t>(frame - frames.begin);
+            float* out =
+                result.xyz.data() + 3 * joints * static_cast<std::size_t>(frame - frames.begin);
             for (std::size_t j = 0; j < joints; ++j) {
                 plan.place(j, row, world);
                 const Eigen::Vector3d position = space.toWorld(world[j].position);
-                for (int axis = 0; axis < 3; ++axis) *out++ = static_cast<float>(position[axis]);
+                for (int axis = 0; axis < 3; ++axis)
+                    *out++ = static_cast<float>(position[axis]);
             }
         }
         done += block.size();

@@ -114,9 +114,9 @@ void completeFromTree(const Skeleton& skeleton, RoleMap& roles, Findings& findin
     if (!roles.has(Neck) && roles.has(Chest)) {
         // A skeleton that ends at the shoulders: its top joint stands for the neck.
         roles.set(Neck, *roles[Chest]);
-        findings.push_back(note(fmt::format(
-            "No neck: the chest ({}) stands in for it.",
-            skeleton.joints[static_cast<std::size_t>(*roles[Chest])].name)));
+        findings.push_back(
+            note(fmt::format("No neck: the chest ({}) stands in for it.",
+                             skeleton.joints[static_cast<std::size_t>(*roles[Chest])].name)));
     }
     if (roles.has(Neck)) setIfMissing(roles, Head, endSiteOf(skeleton, *roles[Neck]));
     for (const bool left : {true, false}) {

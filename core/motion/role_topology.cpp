@@ -128,7 +128,8 @@ void setArm(const Tree& tree, const Chain& chain, bool left, RoleMap& roles) {
 /// (without feet, +z, or −y where z is up).
 Eigen::Vector3d leftward(const Tree& tree, const ChainPair& legs) {
     const auto restOf = [&](int joint) { return tree.rest[static_cast<std::size_t>(joint)]; };
-    const Eigen::Vector3d leg = restOf(legs.first.joints.front()) - restOf(legs.first.joints.back());
+    const Eigen::Vector3d leg =
+        restOf(legs.first.joints.front()) - restOf(legs.first.joints.back());
     const bool zUp = std::abs(leg.z()) > std::abs(leg.y());
     const Eigen::Vector3d up = zUp ? Eigen::Vector3d(0, 0, 1) : Eigen::Vector3d(0, 1, 0);
     Eigen::Vector3d forward = Eigen::Vector3d::Zero();

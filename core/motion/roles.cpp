@@ -6,10 +6,10 @@ namespace kumite {
 namespace {
 
 constexpr std::array<std::string_view, kRoleCount> kNames = {
-    "pelvis",         "spine",          "chest",       "neck",        "head",
-    "left_clavicle",  "left_shoulder",  "left_elbow",  "left_wrist",  "left_hip",
-    "left_knee",      "left_ankle",     "left_toe",    "right_clavicle", "right_shoulder",
-    "right_elbow",    "right_wrist",    "right_hip",   "right_knee",  "right_ankle",
+    "pelvis",        "spine",         "chest",      "neck",           "head",
+    "left_clavicle", "left_shoulder", "left_elbow", "left_wrist",     "left_hip",
+    "left_knee",     "left_ankle",    "left_toe",   "right_clavicle", "right_shoulder",
+    "right_elbow",   "right_wrist",   "right_hip",  "right_knee",     "right_ankle",
     "right_toe"};
 
 constexpr int kLimbRoles = 8;  // of one side
@@ -29,7 +29,8 @@ std::optional<Role> roleFromName(std::string_view name) {
 const std::array<Role, kRoleCount>& allRoles() {
     static const std::array<Role, kRoleCount> roles = [] {
         std::array<Role, kRoleCount> all{};
-        for (int i = 0; i < kRoleCount; ++i) all[static_cast<std::size_t>(i)] = static_cast<Role>(i);
+        for (int i = 0; i < kRoleCount; ++i)
+            all[static_cast<std::size_t>(i)] = static_cast<Role>(i);
         return all;
     }();
     return roles;

@@ -27,8 +27,8 @@ constexpr std::array<Unit, 7> kUnits = {{{"m", 1.0},
                                          {"foot", 0.3048},
                                          {"cmu", 0.0254 / 0.45}}};
 
-constexpr double kUsualLeg = 0.85;      // metres from hip to ankle of an adult
-constexpr double kShortestLeg = 0.55;   // outside these the unit is doubtful
+constexpr double kUsualLeg = 0.85;     // metres from hip to ankle of an adult
+constexpr double kShortestLeg = 0.55;  // outside these the unit is doubtful
 constexpr double kLongestLeg = 1.15;
 
 /// Length of the bones on the way from `ancestor` down to `joint`, file units.
@@ -58,9 +58,8 @@ const Unit& nearestUnit(double legInUnits) {
     const auto misfit = [&](const Unit& unit) {
         return std::abs(std::log(legInUnits * unit.metres / kUsualLeg));
     };
-    return *std::min_element(kUnits.begin(), kUnits.end(), [&](const Unit& a, const Unit& b) {
-        return misfit(a) < misfit(b);
-    });
+    return *std::min_element(kUnits.begin(), kUnits.end(),
+                             [&](const Unit& a, const Unit& b) { return misfit(a) < misfit(b); });
 }
 
 /// A look at some frames, evenly spread, in the file's own axes and units.
@@ -69,8 +68,8 @@ JointPositions sampleFrames(const Motion& motion, int count) {
     sample.skeleton = motion.skeleton;
     sample.frameCount = std::min(count, motion.frameCount);
     for (int i = 0; i < sample.frameCount; ++i) {
-        const auto row = motion.frame(static_cast<int>(static_cast<std::int64_t>(i) *
-                                                       motion.frameCount / sample.frameCount));
+        const auto row = motion.frame(
+            static_cast<int>(static_cast<std::int64_t>(i) * motion.frameCount / sample.frameCount));
         sample.channels.insert(sample.channels.end(), row.begin(), row.end());
     }
     return forwardKinematics(sample, sample.frames(), {1.0, UpAxis::Y});
@@ -90,8 +89,8 @@ UpAxis findUpAxis(const Motion& motion, const RoleMap& roles, Findings& findings
     }
     const Eigen::Vector3f size = sum.cwiseAbs();
     if (size.x() > size.y() && size.x() > size.z()) {
-        findings.push_back(warning(
-            "The body lies along the x axis; y was taken for up. Say which axis is up."));
+        findings.push_back(
+            warning("The body lies along the x axis; y was taken for up. Say which axis is up."));
         return UpAxis::Y;
     }
     const UpAxis up = size.z() > size.y() ? UpAxis::Z : UpAxis::Y;
@@ -156,7 +155,8 @@ int findLeadingRest(const Motion& motion, double legInUnits) {
         if (jumps) {
             const int frame = static_cast<int>(i);
             const bool sharp = steps[i] > kTimesNext * steps[i + 1];
-            const bool atRest = distanceFromRest(positions, frame, *motion.skeleton, unit) < kNearRest;
+            const bool atRest =
+                distanceFromRest(positions, frame, *motion.skeleton, unit) < kNearRest;
             return sharp || atRest ? frame + 1 : 0;
         }
         if (steps[i] > kStill) return 0;
@@ -199,12 +199,11 @@ Survey surveyMotion(const Motion& motion, const SurveyOverrides& overrides) {
             warning("Without legs the unit cannot be found; centimetres are assumed."));
     }
     if (found && (survey.legLength < kShortestLeg || survey.legLength > kLongestLeg)) {
-        survey.findings.push_back(warning(fmt::format(
-            "The legs would be {} m long: is the unit ({}) right?", fixed(survey.legLength, 2),
-            survey.unitName)));
+        survey.findings.push_back(
+            warning(fmt::format("The legs would be {} m long: is the unit ({}) right?",
+                                fixed(survey.legLength, 2), survey.unitName)));
     }
-    survey.space.up =
-        overrides.up ? *overrides.up : findUpAxis(motion, roles, survey.findings);
+    survey.space.up = overrides.up ? *overrides.up : findUpAxis(motion, roles, survey.findings);
     survey.rate = overrides.rate.value_or(rateOf(motion.frameTime));
     if (leg > 0) survey.leadingRestFrames = findLeadingRest(motion, leg);
     if (survey.leadingRestFrames > 0) {

@@ -27,8 +27,8 @@ std::vector<float> fasterFootSpeed(const Fighter& fighter, const JointPositions&
             const int before = std::max(0, frame - 1);
             const int after = std::min(last, frame + 1);
             const float step = (positions.at(after, *joint) - positions.at(before, *joint)).norm();
-            const float own = step * static_cast<float>(fighter.rate) /
-                              static_cast<float>(after - before);
+            const float own =
+                step * static_cast<float>(fighter.rate) / static_cast<float>(after - before);
             float& fastest = speed[static_cast<std::size_t>(frame)];
             fastest = std::max(fastest, own);
         }
@@ -73,8 +73,7 @@ FighterAnalysis deriveFighter(const Fighter& fighter, const Project& project,
 
     const bool sameBody = sameMotion && previous.bodyModel == project.bodyModel &&
                           unchanged(&Fighter::roles, &Fighter::rate, &Fighter::floor);
-    now.body = sameBody ? old->body
-                        : deriveBody(fighter, project.bodyModel, now.motion->positions);
+    now.body = sameBody ? old->body : deriveBody(fighter, project.bodyModel, now.motion->positions);
 
     const SegmentationSettings& was = previous.settings;
     const SegmentationSettings& is = project.segmentation;
@@ -90,8 +89,8 @@ FighterAnalysis deriveFighter(const Fighter& fighter, const Project& project,
         return now;
     }
     // Without a body there is no force: a level curve, which only a hand can cut.
-    const std::vector<double> level(
-        now.force ? 0 : static_cast<std::size_t>(now.frameCount()), 1.0);
+    const std::vector<double> level(now.force ? 0 : static_cast<std::size_t>(now.frameCount()),
+                                    1.0);
     const std::span<const double> curve =
         now.force ? std::span<const double>(now.force->force.curve) : level;
     const std::span<const ForceMinimum> minima =
@@ -142,7 +141,8 @@ Analysis analyse(const Project& project, const Analysis& previous, const Progres
         return best;
     };
     std::size_t fighters = 0;
-    for (const Take& take : project.takes) fighters += take.fighters.size();
+    for (const Take& take : project.takes)
+        fighters += take.fighters.size();
 
     Analysis analysis;
     analysis.settings = project.segmentation;

@@ -18,8 +18,8 @@ struct FighterMotion {
 /// Stage 2: what needs roles. Depends on stage 1, roles, body model, rate and floor.
 struct FighterBody {
     CentreOfMass com;
-    double floor = 0;                 ///< metres, in the file's space
-    std::vector<float> footSpeed;     ///< of the faster foot, m/s; empty without feet
+    double floor = 0;              ///< metres, in the file's space
+    std::vector<float> footSpeed;  ///< of the faster foot, m/s; empty without feet
 };
 
 /// Stage 3: force and its minima. Depends on stage 2, rate, cutoff and curve.

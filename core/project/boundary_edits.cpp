@@ -51,14 +51,14 @@ const Boundary& boundaryNear(const Subject& subject, int frame) {
             return std::abs(a.frame - frame) < std::abs(b.frame - frame);
         });
     if (nearest == all.end() || std::abs(nearest->frame - frame) > subject.reach) {
-        throw Error(fmt::format("Fighter {} has no boundary near frame {}{}.", subject.player, frame,
-                                nearest == all.end()
-                                    ? std::string()
-                                    : fmt::format("; the nearest is at {}", nearest->frame)));
+        throw Error(fmt::format(
+            "Fighter {} has no boundary near frame {}{}.", subject.player, frame,
+            nearest == all.end() ? std::string()
+                                 : fmt::format("; the nearest is at {}", nearest->frame)));
     }
     if (nearest->source == BoundarySource::End) {
-        throw Error(fmt::format(
-            "The boundary at frame {} is an end of the take, which stays.", nearest->frame));
+        throw Error(fmt::format("The boundary at frame {} is an end of the take, which stays.",
+                                nearest->frame));
     }
     return *nearest;
 }
@@ -114,7 +114,8 @@ MaybeEdit restoreBoundary(const Project& project, const Analysis& analysis, Figh
         place = candidate;
         minimum = index;
     };
-    for (const int removed : segmentation.removedAdded) offer(removed, {});
+    for (const int removed : segmentation.removedAdded)
+        offer(removed, {});
     for (const int index : segmentation.removedMinima) {
         offer(subject.minimum(index).frame, index);
         for (const Correction& correction : subject.fighter.corrections) {
@@ -124,8 +125,8 @@ MaybeEdit restoreBoundary(const Project& project, const Analysis& analysis, Figh
         }
     }
     if (!place) {
-        throw Error(
-            fmt::format("Fighter {} has no removed boundary near frame {}.", subject.player, frame));
+        throw Error(fmt::format("Fighter {} has no removed boundary near frame {}.", subject.player,
+                                frame));
     }
     std::vector<Correction> corrections = subject.fighter.corrections;
     std::erase_if(corrections, [&](const Correction& correction) {
@@ -142,9 +143,9 @@ MaybeEdit addBoundary(const Project& project, const Analysis& analysis, FighterA
     const Segmentation& segmentation = subject.segmentation;
     const int last = subject.values.frameCount() - 1;
     if (frame <= 0 || frame >= last) {
-        throw Error(fmt::format(
-            "Frame {} is not inside the take: a boundary can stand from frame 1 to {}.", frame,
-            last - 1));
+        throw Error(
+            fmt::format("Frame {} is not inside the take: a boundary can stand from frame 1 to {}.",
+                        frame, last - 1));
     }
     const bool exists =
         std::any_of(segmentation.boundaries.begin(), segmentation.boundaries.end(),
@@ -157,8 +158,8 @@ MaybeEdit addBoundary(const Project& project, const Analysis& analysis, FighterA
     if (wasRemoved) return restoreBoundary(project, analysis, address, frame);
 
     std::vector<Correction> corrections = subject.fighter.corrections;
-    corrections.push_back({Correction::Kind::Add, frame, 0,
-                           standsBesideAnother(subject, frame, std::nullopt)});
+    corrections.push_back(
+        {Correction::Kind::Add, frame, 0, standsBesideAnother(subject, frame, std::nullopt)});
     return withCorrections(project, address, std::move(corrections),
                            "Add boundary " + subject.at(frame));
 }
@@ -170,8 +171,9 @@ MaybeEdit moveBoundary(const Project& project, const Analysis& analysis, Fighter
     if (boundary.frame == to) return std::nullopt;
     const Boundary* neighbours = &boundary;  // boundaries are in order; ends are never `boundary`
     if (to <= neighbours[-1].frame || to >= neighbours[1].frame) {
-        throw Error(fmt::format("The boundary can move between its neighbours only: frames {} to {}.",
-                                neighbours[-1].frame + 1, neighbours[1].frame - 1));
+        throw Error(
+            fmt::format("The boundary can move between its neighbours only: frames {} to {}.",
+                        neighbours[-1].frame + 1, neighbours[1].frame - 1));
     }
     std::vector<Correction> corrections = subject.fighter.corrections;
     if (boundary.source == BoundarySource::Added) {

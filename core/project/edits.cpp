@@ -135,9 +135,10 @@ MaybeEdit relinkRecording(const Project& project, FighterAddress address,
                           const RecordingRef& recording, std::shared_ptr<const Motion> motion) {
     const Fighter& fighter = fighterAt(project, address);
     if (motion->frameCount < fighter.frames.end) {
-        throw Error(fmt::format("{} holds {} frames, but the take reaches to frame {}: it is not "
-                                "the recording that is missing.",
-                                recording.path.string(), motion->frameCount, fighter.frames.end));
+        throw Error(
+            fmt::format("{} holds {} frames, but the take reaches to frame {}: it is not "
+                        "the recording that is missing.",
+                        recording.path.string(), motion->frameCount, fighter.frames.end));
     }
     for (const Role role : allRoles()) {
         if (fighter.roles[role].value_or(-1) < motion->skeleton->jointCount()) continue;

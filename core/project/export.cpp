@@ -69,7 +69,8 @@ Motion placedMotion(const Fighter& fighter) {
         const Eigen::Matrix3d rotation =
             turn * localRotation(skeleton.joints.front(), motion.frame(frame));
         if (frame == 0) {
-            for (std::size_t i = 0; i < 3; ++i) before[i] = at(root.rotation[i]);
+            for (std::size_t i = 0; i < 3; ++i)
+                before[i] = at(root.rotation[i]);
         }
         before = eulerAngles(frameOfRoot.transpose() * rotation * frameOfRoot, root.order, before);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -101,7 +102,8 @@ std::vector<std::filesystem::path> exportTake(const Project& project, const Anal
         return {file};
     }
     if (suffix != ".bvh") {
-        throw Error(file.string() + ": the suffix says what to write, expected .bvh, .csv or .json.");
+        throw Error(file.string() +
+                    ": the suffix says what to write, expected .bvh, .csv or .json.");
     }
     const Take& which = project.takes.at(static_cast<std::size_t>(take));
     for (const Fighter& fighter : which.fighters) {

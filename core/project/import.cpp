@@ -31,18 +31,17 @@ Candidate makeCandidate(const FighterRequest& request, const Recording& recordin
     Candidate candidate;
     Fighter& fighter = candidate.fighter;
     fighter.motion = motionOfRoot(recording, request.root);
-    fighter.recording = {std::filesystem::absolute(request.path).lexically_normal(),
-                         recording.asf.empty() ? recording.asf
-                                               : std::filesystem::absolute(recording.asf),
-                         recording.sha256, request.root};
-    candidate.survey =
-        surveyMotion(*fighter.motion, {request.metresPerUnit, request.up, rate});
+    fighter.recording = {
+        std::filesystem::absolute(request.path).lexically_normal(),
+        recording.asf.empty() ? recording.asf : std::filesystem::absolute(recording.asf),
+        recording.sha256, request.root};
+    candidate.survey = surveyMotion(*fighter.motion, {request.metresPerUnit, request.up, rate});
     fighter.space = candidate.survey.space;
     fighter.rate = candidate.survey.rate;
     fighter.roles = candidate.survey.roles.roles;
     for (const auto& [role, name] : request.roles) {
-        fighter.roles.set(role, namedJoint(*fighter.motion->skeleton, name,
-                                           request.path.filename().string()));
+        fighter.roles.set(
+            role, namedJoint(*fighter.motion->skeleton, name, request.path.filename().string()));
     }
     fighter.offset = request.offset;
     fighter.placement = request.placement;
@@ -61,10 +60,10 @@ void chooseFrames(std::vector<Candidate>& candidates, const std::optional<FrameR
             const int count = c.fighter.motion->frameCount;
             const int end = trim->end < 0 ? count : std::min(trim->end, count);
             if (trim->begin < 0 || trim->begin >= end || trim->end > longest) {
-                throw Error(fmt::format(
-                    "{}: frames {}:{} cannot be taken from a recording of {} frames.",
-                    c.fighter.recording.path.filename().string(), trim->begin,
-                    trim->end < 0 ? std::string() : std::to_string(trim->end), count));
+                throw Error(
+                    fmt::format("{}: frames {}:{} cannot be taken from a recording of {} frames.",
+                                c.fighter.recording.path.filename().string(), trim->begin,
+                                trim->end < 0 ? std::string() : std::to_string(trim->end), count));
             }
             c.fighter.frames = {trim->begin, end};
         }
@@ -72,12 +71,13 @@ void chooseFrames(std::vector<Candidate>& candidates, const std::optional<FrameR
     }
     // Two files of one length and rate were recorded together: trimming one alone would shift it
     // against the other.
-    const bool together = candidates.size() == 2 &&
-                          candidates[0].fighter.motion->frameCount ==
-                              candidates[1].fighter.motion->frameCount &&
-                          candidates[0].fighter.rate == candidates[1].fighter.rate;
+    const bool together =
+        candidates.size() == 2 &&
+        candidates[0].fighter.motion->frameCount == candidates[1].fighter.motion->frameCount &&
+        candidates[0].fighter.rate == candidates[1].fighter.rate;
     int shared = 0;
-    for (const Candidate& c : candidates) shared = std::max(shared, c.survey.leadingRestFrames);
+    for (const Candidate& c : candidates)
+        shared = std::max(shared, c.survey.leadingRestFrames);
     for (Candidate& c : candidates) {
         const int begin = together ? shared : c.survey.leadingRestFrames;
         c.fighter.frames = {begin, c.fighter.motion->frameCount};
@@ -106,8 +106,7 @@ ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
     for (std::size_t i = 0; i < keys.size(); ++i) {
         const ReadResult& read = recordings.at(keys[i]);
         if (!read.recording) throw Error(read.error);
-        candidates.push_back(
-            makeCandidate(request.fighters[i], *read.recording, request.rate));
+        candidates.push_back(makeCandidate(request.fighters[i], *read.recording, request.rate));
         const std::string file = request.fighters[i].path.filename().string() + ": ";
         Findings findings = read.recording->findings;
         const Findings& surveyed = candidates.back().survey.findings;
@@ -118,11 +117,12 @@ ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
     }
     chooseFrames(candidates, request.trim);
     if (candidates.size() == 2 && candidates[0].fighter.rate != candidates[1].fighter.rate) {
-        imported.findings.push_back(warning(fmt::format(
-            "The recordings run at {:g} and {:g} Hz; each keeps its own rate.",
-            candidates[0].fighter.rate, candidates[1].fighter.rate)));
+        imported.findings.push_back(
+            warning(fmt::format("The recordings run at {:g} and {:g} Hz; each keeps its own rate.",
+                                candidates[0].fighter.rate, candidates[1].fighter.rate)));
     }
-    for (Candidate& c : candidates) imported.take.fighters.push_back(std::move(c.fighter));
+    for (Candidate& c : candidates)
+        imported.take.fighters.push_back(std::move(c.fighter));
     progress.update(1.0);
     return imported;
 }

@@ -78,7 +78,8 @@ std::size_t JsonReader::size() const {
 std::vector<std::string> JsonReader::keys() const {
     if (!json_.is_object()) throw error("expected an object");
     std::vector<std::string> keys;
-    for (const auto& item : json_.items()) keys.push_back(item.key());
+    for (const auto& item : json_.items())
+        keys.push_back(item.key());
     return keys;
 }
 

@@ -49,9 +49,10 @@ void locate(RecordingRef& recording, const std::filesystem::path& folder, Findin
     if (std::filesystem::exists(recording.path)) return;
     const auto found = findByContent(folder, recording);
     if (!found) return;
-    findings.push_back(note(fmt::format("{} was not where the project says; the same recording was "
-                                        "found at {}.",
-                                        recording.path.string(), found->string())));
+    findings.push_back(
+        note(fmt::format("{} was not where the project says; the same recording was "
+                         "found at {}.",
+                         recording.path.string(), found->string())));
     recording.path = *found;
 }
 
@@ -100,9 +101,9 @@ void attach(Fighter& fighter, const ReadResult& read, Findings& findings) {
         return;
     }
     if (fighter.recording.sha256 != read.recording->sha256) {
-        findings.push_back(warning(
-            file + ": the recording has changed since the project was saved; check the "
-                   "boundaries."));
+        findings.push_back(
+            warning(file + ": the recording has changed since the project was saved; check the "
+                           "boundaries."));
         fighter.recording.sha256 = read.recording->sha256;
     }
     if (fighter.frames.end > motion->frameCount) {

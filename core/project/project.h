@@ -30,7 +30,7 @@ struct RecordingRef {
     std::filesystem::path path;  ///< absolute while in memory; relative in the project file
     std::filesystem::path asf;   ///< skeleton of an .amc; else empty
     std::string sha256;
-    std::string root;            ///< which skeleton of the file, see motionOfRoot; empty: the first
+    std::string root;  ///< which skeleton of the file, see motionOfRoot; empty: the first
 
     bool operator==(const RecordingRef&) const = default;
 };
@@ -39,9 +39,9 @@ struct RecordingRef {
 struct Fighter {
     RecordingRef recording;
     SpaceConvention space;
-    double rate = 0;         ///< Hz, of the recording
-    FrameRange frames;       ///< of the file; frame 0 of the take is frames.begin
-    double offset = 0;       ///< seconds on the take's clock at which frame 0 of the take stands
+    double rate = 0;    ///< Hz, of the recording
+    FrameRange frames;  ///< of the file; frame 0 of the take is frames.begin
+    double offset = 0;  ///< seconds on the take's clock at which frame 0 of the take stands
     Placement placement;
     std::optional<double> floor;  ///< metres in the file's space; nothing: found (method A2b)
     RoleMap roles;

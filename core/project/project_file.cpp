@@ -24,9 +24,12 @@ std::string storedPath(const std::filesystem::path& path, const std::filesystem:
 
 Json correctionJson(const Correction& correction) {
     switch (correction.kind) {
-        case Correction::Kind::Remove: return {{"remove", correction.frame}};
-        case Correction::Kind::Move: return {{"move", correction.frame}, {"to", correction.to}};
-        case Correction::Kind::Add: break;
+        case Correction::Kind::Remove:
+            return {{"remove", correction.frame}};
+        case Correction::Kind::Move:
+            return {{"move", correction.frame}, {"to", correction.to}};
+        case Correction::Kind::Add:
+            break;
     }
     Json json = {{"add", correction.frame}};
     if (correction.beside) json["beside"] = true;
@@ -58,7 +61,8 @@ Json fighterJson(const Fighter& fighter, const std::filesystem::path& folder) {
     if (!fighter.recording.root.empty()) recording["root"] = fighter.recording.root;
     recording["sha256"] = fighter.recording.sha256;
     Json corrections = Json::array();
-    for (const Correction& c : fighter.corrections) corrections.push_back(correctionJson(c));
+    for (const Correction& c : fighter.corrections)
+        corrections.push_back(correctionJson(c));
     Json json = {{"recording", std::move(recording)},
                  {"metres_per_unit", fighter.space.metresPerUnit},
                  {"up", fighter.space.up == UpAxis::Y ? "y" : "z"},
@@ -79,7 +83,8 @@ Json bodyModelJson(const BodyModel& model) {
     Json segments = Json::array();
     for (const BodySegment& segment : model.segments) {
         Json from = Json::array();
-        for (const Role role : segment.from) from.push_back(roleName(role));
+        for (const Role role : segment.from)
+            from.push_back(roleName(role));
         Json json = {{"name", segment.name}, {"mass", segment.mass}, {"from", std::move(from)}};
         if (segment.to) {
             json["to"] = roleName(*segment.to);

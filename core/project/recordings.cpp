@@ -49,7 +49,8 @@ std::map<RecordingKey, ReadResult> readRecordings(std::vector<RecordingKey> keys
         }
     });
     std::map<RecordingKey, ReadResult> byKey;
-    for (std::size_t i = 0; i < keys.size(); ++i) byKey[keys[i]] = std::move(results[i]);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        byKey[keys[i]] = std::move(results[i]);
     return byKey;
 }
 

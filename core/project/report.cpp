@@ -31,9 +31,9 @@ Json minimaJson(const FighterAnalysis& fighter, double threshold, bool all) {
     const Segmentation& segmentation = *fighter.segmentation;
     for (std::size_t i = 0; i < fighter.force->minima.size(); ++i) {
         const ForceMinimum& minimum = fighter.force->minima[i];
-        const auto boundary = std::find_if(
-            segmentation.boundaries.begin(), segmentation.boundaries.end(),
-            [&](const Boundary& b) { return b.minimum == static_cast<int>(i); });
+        const auto boundary =
+            std::find_if(segmentation.boundaries.begin(), segmentation.boundaries.end(),
+                         [&](const Boundary& b) { return b.minimum == static_cast<int>(i); });
         const bool cuts = boundary != segmentation.boundaries.end();
         if (!all && !cuts && minimum.prominence < threshold) continue;
         Json entry = {{"frame", minimum.frame},
@@ -72,7 +72,8 @@ Json playerJson(const FighterAnalysis& fighter, double threshold, const ReportOp
         unmatched.push_back(correctionText(correction));
     }
     Json missing = Json::array();
-    for (const std::string& segment : fighter.body->com.missingSegments) missing.push_back(segment);
+    for (const std::string& segment : fighter.body->com.missingSegments)
+        missing.push_back(segment);
     return {{"frames", fighter.frameCount()},
             {"rate", fighter.input.rate},
             {"offset_s", fighter.input.offset},

@@ -9,8 +9,8 @@ namespace kumite {
 
 /// What a report on segmentation holds beside the boundaries.
 struct ReportOptions {
-    std::optional<int> take;   ///< only this take; nothing: all
-    bool allMinima = false;    ///< also those below the threshold (with `kept` false)
+    std::optional<int> take;  ///< only this take; nothing: all
+    bool allMinima = false;   ///< also those below the threshold (with `kept` false)
 };
 
 /// The segmentation as JSON, keys as the command line's contract names them: per take and player

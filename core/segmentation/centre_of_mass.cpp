@@ -53,7 +53,8 @@ CentreOfMass centreOfMass(const BodyModel& model, const Skeleton& skeleton, cons
 
     std::vector<std::pair<int, double>> points;
     for (std::size_t joint = 0; joint < weights.size(); ++joint) {
-        if (weights[joint] != 0) points.emplace_back(static_cast<int>(joint), weights[joint] / present);
+        if (weights[joint] != 0)
+            points.emplace_back(static_cast<int>(joint), weights[joint] / present);
     }
     result.position.assign(static_cast<std::size_t>(positions.frameCount), Eigen::Vector3d::Zero());
     for (int frame = 0; frame < positions.frameCount; ++frame) {

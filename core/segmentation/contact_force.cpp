@@ -10,9 +10,11 @@ std::vector<Eigen::Vector3d> smooth(std::span<const Eigen::Vector3d> path, doubl
     std::vector<Eigen::Vector3d> result(path.size());
     std::vector<double> samples(path.size());
     for (int axis = 0; axis < 3; ++axis) {
-        for (std::size_t i = 0; i < path.size(); ++i) samples[i] = path[i][axis];
+        for (std::size_t i = 0; i < path.size(); ++i)
+            samples[i] = path[i][axis];
         const std::vector<double> smoothed = lowPass(samples, rate, cutoff);
-        for (std::size_t i = 0; i < path.size(); ++i) result[i][axis] = smoothed[i];
+        for (std::size_t i = 0; i < path.size(); ++i)
+            result[i][axis] = smoothed[i];
     }
     return result;
 }

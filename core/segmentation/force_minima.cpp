@@ -35,14 +35,16 @@ std::vector<ForceMinimum> findMinima(std::span<const double> curve) {
     const int n = static_cast<int>(curve.size());
     const auto at = [&](int frame) { return curve[static_cast<std::size_t>(frame)]; };
     const std::vector<double> left = highestBeforeLower(curve);
-    std::vector<double> right = highestBeforeLower(std::vector<double>(curve.rbegin(), curve.rend()));
+    std::vector<double> right =
+        highestBeforeLower(std::vector<double>(curve.rbegin(), curve.rend()));
     std::reverse(right.begin(), right.end());
 
     std::vector<ForceMinimum> minima;
     for (int i = 1; i + 1 < n; ++i) {
         if (at(i - 1) <= at(i)) continue;
         int last = i;  // of the plateau that begins at i
-        while (last + 1 < n && at(last + 1) == at(i)) ++last;
+        while (last + 1 < n && at(last + 1) == at(i))
+            ++last;
         if (last + 1 < n && at(last + 1) > at(i)) {
             const int middle = (i + last) / 2;
             const auto m = static_cast<std::size_t>(middle);

@@ -49,9 +49,11 @@ std::vector<double> lowPass(const std::vector<double>& samples, double rate, dou
 
     std::vector<double> padded;
     padded.reserve(n + 2 * pad);
-    for (std::size_t i = pad; i > 0; --i) padded.push_back(2 * samples.front() - samples[i]);
+    for (std::size_t i = pad; i > 0; --i)
+        padded.push_back(2 * samples.front() - samples[i]);
     padded.insert(padded.end(), samples.begin(), samples.end());
-    for (std::size_t i = 1; i <= pad; ++i) padded.push_back(2 * samples.back() - samples[n - 1 - i]);
+    for (std::size_t i = 1; i <= pad; ++i)
+        padded.push_back(2 * samples.back() - samples[n - 1 - i]);
 
     const Butterworth filter(rate, cutoff);
     filter.run(padded.begin(), padded.end());

@@ -85,9 +85,8 @@ private:
         }
         std::optional<int> minimum;
         if (!correction.beside) {
-            minimum = nearest(minima_, correction.frame, reach_, [&](int i) {
-                return state(i).kept && !state(i).absorbed;
-            });
+            minimum = nearest(minima_, correction.frame, reach_,
+                              [&](int i) { return state(i).kept && !state(i).absorbed; });
         }
         if (minimum) state(*minimum).absorbed = true;
         added.push_back({correction.frame, false, minimum});
@@ -122,9 +121,8 @@ private:
     int lastFrame_;
 };
 
-std::vector<Boundary> boundariesOf(const Corrector& corrector,
-                                   std::span<const ForceMinimum> minima, int frameCount,
-                                   Segmentation& result) {
+std::vector<Boundary> boundariesOf(const Corrector& corrector, std::span<const ForceMinimum> minima,
+                                   int frameCount, Segmentation& result) {
     std::vector<Boundary> boundaries = {{0, BoundarySource::End, {}}};
     if (frameCount > 1) boundaries.push_back({frameCount - 1, BoundarySource::End, {}});
     for (const Added& added : corrector.added) {
@@ -148,17 +146,14 @@ std::vector<Boundary> boundariesOf(const Corrector& corrector,
     }
     // Where two fall on one frame the hand's boundary stands; ends always stand.
     const auto rank = [](BoundarySource source) {
-        return source == BoundarySource::End        ? 0
-               : source == BoundarySource::Detected ? 2
-                                                    : 1;
+        return source == BoundarySource::End ? 0 : source == BoundarySource::Detected ? 2 : 1;
     };
     std::sort(boundaries.begin(), boundaries.end(), [&](const Boundary& a, const Boundary& b) {
         return std::pair(a.frame, rank(a.source)) < std::pair(b.frame, rank(b.source));
     });
-    const auto last = std::unique(boundaries.begin(), boundaries.end(),
-                                  [](const Boundary& a, const Boundary& b) {
-                                      return a.frame == b.frame;
-                                  });
+    const auto last =
+        std::unique(boundaries.begin(), boundaries.end(),
+                    [](const Boundary& a, const Boundary& b) { return a.frame == b.frame; });
     boundaries.erase(last, boundaries.end());
     return boundaries;
 }
@@ -166,7 +161,8 @@ std::vector<Boundary> boundariesOf(const Corrector& corrector,
 Action actionBetween(std::span<const double> curve, int begin, int end) {
     if (end - begin < 2) return {begin, end, begin};
     const auto first = curve.begin() + begin + 1;
-    return {begin, end, static_cast<int>(std::max_element(first, curve.begin() + end) - curve.begin())};
+    return {begin, end,
+            static_cast<int>(std::max_element(first, curve.begin() + end) - curve.begin())};
 }
 
 }  // namespace
@@ -174,9 +170,12 @@ Action actionBetween(std::span<const double> curve, int begin, int end) {
 std::string correctionText(const Correction& correction) {
     const std::string frame = std::to_string(correction.frame);
     switch (correction.kind) {
-        case Correction::Kind::Remove: return "remove " + frame;
-        case Correction::Kind::Add: return "add " + frame;
-        case Correction::Kind::Move: return "move " + frame + " to " + std::to_string(correction.to);
+        case Correction::Kind::Remove:
+            return "remove " + frame;
+        case Correction::Kind::Add:
+            return "add " + frame;
+        case Correction::Kind::Move:
+            return "move " + frame + " to " + std::to_string(correction.to);
     }
     return {};
 }

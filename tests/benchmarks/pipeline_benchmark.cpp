@@ -64,7 +64,9 @@ void roles_kinematics_force_minima_of_16_minutes(benchmark::State& state) {
                                                        analysis.at({0, 1}).force->minima.size());
     }
 }
-BENCHMARK(roles_kinematics_force_minima_of_16_minutes)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(roles_kinematics_force_minima_of_16_minutes)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 void one_boundary_edit_to_all_derived_values(benchmark::State& state) {
     Project project = sixteenMinutes();
@@ -84,7 +86,8 @@ BENCHMARK(one_boundary_edit_to_all_derived_values)->Unit(benchmark::kMillisecond
 
 void one_hour_at_120_hz(benchmark::State& state) {
     const Project project = movingBout(3600, 120);
-    for (auto _ : state) benchmark::DoNotOptimize(analyse(project));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(analyse(project));
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
     state.counters["peak_GB"] = static_cast<double>(usage.ru_maxrss) * 1024 / 1e9;

@@ -35,9 +35,8 @@ protected:
 
     void SetUp() override {
         for (const int player : {0, 1}) {
-            const auto motion = test::bobbing(361, 60, [player](double t) {
-                return test::boutHeight(player, t);
-            });
+            const auto motion =
+                test::bobbing(361, 60, [player](double t) { return test::boutHeight(player, t); });
             test::writeText(player == 0 ? red : blue,
                             bvhText(*motion, motion->frames(), motion->frameTime));
         }
@@ -75,11 +74,20 @@ TEST_F(Cli, EveryCommandHasHelpWithAnExample) {
 TEST_F(Cli, WrongUsageIsTwoAndFailureIsOne) {
     makeProject();
     const std::vector<std::vector<std::string>> usage = {
-        {}, {"dance"}, {"info"}, {"segment"}, {"segment", project, "--cutoff", "fast"},
-        {"force", project, "--out", "x", "--player", "3"}, {"correct", project, "--take", "round1"},
-        {"correct", project, "--remove", "1", "--add", "2"}, {"correct", project, "--move", "12"},
-        {"new"}, {"new", "--out", project}, {"new", "--out", project, "--take"},
-        {"new", "--out", project, "--take", "a"}, {"new", "--take", "a", red},
+        {},
+        {"dance"},
+        {"info"},
+        {"segment"},
+        {"segment", project, "--cutoff", "fast"},
+        {"force", project, "--out", "x", "--player", "3"},
+        {"correct", project, "--take", "round1"},
+        {"correct", project, "--remove", "1", "--add", "2"},
+        {"correct", project, "--move", "12"},
+        {"new"},
+        {"new", "--out", project},
+        {"new", "--out", project, "--take"},
+        {"new", "--out", project, "--take", "a"},
+        {"new", "--take", "a", red},
         {"new", "--out", project, "--take", "a", red, blue, red},
         {"new", "--out", project, "--take", "a", red, "--rate", "fast"},
         {"new", "--out", project, "--take", "a", red, "--units", "yards"},
@@ -87,16 +95,20 @@ TEST_F(Cli, WrongUsageIsTwoAndFailureIsOne) {
         {"new", "--out", project, "--take", "a", red, "--place", "1,2"},
         {"new", "--out", project, "--take", "a", red, "--trim", "9"},
         {"new", "--out", project, "--offset", "1", "--take", "a", red},
-        {"joints", red, "--out", "x", "--frames", "7:3"}, {"joints", red, "--out", "x", "--up", "w"}};
+        {"joints", red, "--out", "x", "--frames", "7:3"},
+        {"joints", red, "--out", "x", "--up", "w"}};
     for (const auto& words : usage) {
         const Result result = kumite(words);
         std::string line;
-        for (const auto& word : words) line += " " + word;
+        for (const auto& word : words)
+            line += " " + word;
         EXPECT_EQ(result.code, 2) << line << result.err;
         EXPECT_NE(result.err, "") << line;
     }
     const std::vector<std::vector<std::string>> failing = {
-        {"info", "absent.bvh"}, {"segment", "absent.kumite"}, {"segment", red},
+        {"info", "absent.bvh"},
+        {"segment", "absent.kumite"},
+        {"segment", red},
         {"force", project, "--take", "round9", "--out", "x"},
         {"correct", project, "--take", "round1", "--remove", "0"},
         {"export", project, "--take", "round1", "--out", (folder / "x.fbx").string()},
@@ -153,7 +165,8 @@ TEST_F(Cli, TheWholeJob) {
 
     const int spurious = before["minima"][2]["frame"];
     const std::string frame = std::to_string(spurious);
-    Result result = kumite({"correct", project, "--take", "round1", "--player", "1", "--remove", frame});
+    Result result =
+        kumite({"correct", project, "--take", "round1", "--player", "1", "--remove", frame});
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_EQ(result.out.substr(0, 15), "Remove boundary");
     auto after = player(1);
@@ -197,7 +210,8 @@ TEST_F(Cli, SegmentListsMinimaBelowTheThresholdOnRequest) {
 TEST_F(Cli, ForceTable) {
     makeProject();
     const std::string out = (folder / "f.csv").string();
-    ASSERT_EQ(kumite({"force", project, "--take", "round1", "--player", "2", "--out", out}).code, 0);
+    ASSERT_EQ(kumite({"force", project, "--take", "round1", "--player", "2", "--out", out}).code,
+              0);
     const std::string csv = test::readText(out);
     EXPECT_EQ(csv.substr(0, csv.find('\n')), "frame,time,com_x,com_y,com_z,fx,fy,fz,norm");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 361);
@@ -205,10 +219,11 @@ TEST_F(Cli, ForceTable) {
 }
 
 TEST_F(Cli, NewGroupsOptionsWithWhatStandsBeforeThem) {
-    const Result made = kumite({"new", "--out", project,                               //
-                                "--take", "one", red, "--offset", "0.5", blue, "--place",
-                                "1,-2,90deg", "--units", "inch", "--rate", "50", "--trim", "10:300",
-                                "--take", "two", blue, "--role", "head=Neck", "--floor", "0.1"});
+    const Result made =
+        kumite({"new",        "--out",   project,  //
+                "--take",     "one",     red,     "--offset", "0.5",       blue,      "--place",
+                "1,-2,90deg", "--units", "inch",  "--rate",   "50",        "--trim",  "10:300",
+                "--take",     "two",     blue,    "--role",   "head=Neck", "--floor", "0.1"});
     ASSERT_EQ(made.code, 0) << made.err;
     const auto json = nlohmann::json::parse(test::readText(project));
     const auto& one = json["takes"][0]["fighters"];

@@ -54,11 +54,21 @@ TEST(Analyse, GivesTheSameWithAndWithoutOldValues) {
     Analysis analysis = analyse(project);
     const int minimum = analysis.at({0, 0}).force->minima[3].frame;
     const std::vector<std::function<MaybeEdit()>> edits = {
-        [&] { return removeBoundary(project, analysis, {0, 0}, minimum); },
-        [&] { return setSegmentation(project, {4.0, 0.05, ForceCurve::Norm}); },
-        [&] { return setSegmentation(project, {4.0, 0.1, ForceCurve::Vertical}); },
-        [&] { return setFloor(project, {0, 1}, 0.3); },
-        [&] { return setRole(project, {0, 0}, Role::LeftWrist, std::nullopt); },
+        [&] {
+            return removeBoundary(project, analysis, {0, 0}, minimum);
+        },
+        [&] {
+            return setSegmentation(project, {4.0, 0.05, ForceCurve::Norm});
+        },
+        [&] {
+            return setSegmentation(project, {4.0, 0.1, ForceCurve::Vertical});
+        },
+        [&] {
+            return setFloor(project, {0, 1}, 0.3);
+        },
+        [&] {
+            return setRole(project, {0, 0}, Role::LeftWrist, std::nullopt);
+        },
         [&] { return swapFighters(project, 0); },
         [&] {
             BodyModel model = deLevaMale();

@@ -21,7 +21,8 @@ TEST(Text, ReadsNumbersAsFilesWriteThem) {
     EXPECT_EQ(parseNumber(".0083"), 0.0083);
     EXPECT_EQ(parseNumber("+5."), 5.0);
     EXPECT_EQ(parseNumber("-1.5E-3"), -0.0015);
-    for (const char* bad : {"", "+", "++1", "+-1", "1,5", "1 ", " 1", "nan", "inf", "1e999", "0x10", "1x"}) {
+    for (const char* bad :
+         {"", "+", "++1", "+-1", "1,5", "1 ", " 1", "nan", "inf", "1e999", "0x10", "1x"}) {
         EXPECT_EQ(parseNumber(bad), std::nullopt) << bad;
     }
     EXPECT_EQ(parseInteger("12"), 12);
@@ -95,9 +96,11 @@ TEST(MappedFile, ReadsEmptyFilesAndRefusesFolders) {
 TEST(ForBlocks, CoversEveryFrameOnceAndReportsTheFirstError) {
     std::vector<int> hits(1000, 0);
     forBlocks({3, 1000}, 7, [&](FrameRange block) {
-        for (int i = block.begin; i < block.end; ++i) ++hits[static_cast<std::size_t>(i)];
+        for (int i = block.begin; i < block.end; ++i)
+            ++hits[static_cast<std::size_t>(i)];
     });
-    for (int i = 0; i < 1000; ++i) EXPECT_EQ(hits[static_cast<std::size_t>(i)], i >= 3) << i;
+    for (int i = 0; i < 1000; ++i)
+        EXPECT_EQ(hits[static_cast<std::size_t>(i)], i >= 3) << i;
     forBlocks({5, 5}, 1, [](FrameRange) { FAIL(); });
     const auto failing = [] {
         forBlocks({0, 100}, 1, [](FrameRange block) {

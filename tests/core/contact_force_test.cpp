@@ -18,26 +18,32 @@ using Path = std::vector<Eigen::Vector3d>;
 
 Path pathOf(int frames, double rate, const std::function<Eigen::Vector3d(double)>& at) {
     Path path;
-    for (int i = 0; i < frames; ++i) path.push_back(at(i / rate));
+    for (int i = 0; i < frames; ++i)
+        path.push_back(at(i / rate));
     return path;
 }
 
 TEST(LowPass, HalvesASineAtTheCutoff) {
     // Butterworth is −3 dB at its cutoff; both passes together −6 dB: exactly half.
     std::vector<double> sine;
-    for (int i = 0; i < 1200; ++i) sine.push_back(std::sin(2 * M_PI * 6.0 * i / 120.0));
+    for (int i = 0; i < 1200; ++i)
+        sine.push_back(std::sin(2 * M_PI * 6.0 * i / 120.0));
     const auto smooth = lowPass(sine, 120, 6.0);
     double highest = 0;
-    for (std::size_t i = 300; i < 900; ++i) highest = std::max(highest, smooth[i]);
+    for (std::size_t i = 300; i < 900; ++i)
+        highest = std::max(highest, smooth[i]);
     EXPECT_NEAR(highest, 0.5, 1e-3);
 }
 
 TEST(LowPass, KeepsConstantsAndLines) {
     std::vector<double> level(50, 3.25), line;
-    for (int i = 0; i < 200; ++i) line.push_back(0.5 * i - 7);
-    for (const double v : lowPass(level, 60, 6)) EXPECT_NEAR(v, 3.25, 1e-12);
+    for (int i = 0; i < 200; ++i)
+        line.push_back(0.5 * i - 7);
+    for (const double v : lowPass(level, 60, 6))
+        EXPECT_NEAR(v, 3.25, 1e-12);
     const auto smooth = lowPass(line, 60, 6);
-    for (std::size_t i = 0; i < line.size(); ++i) EXPECT_NEAR(smooth[i], line[i], 1e-6);
+    for (std::size_t i = 0; i < line.size(); ++i)
+        EXPECT_NEAR(smooth[i], line[i], 1e-6);
 }
 
 // Independent route: the filter's frequency response, squared, on a sine far from the ends.
@@ -45,12 +51,15 @@ TEST(LowPass, FollowsItsFrequencyResponse) {
     const double rate = 100, cutoff = 8;
     for (const double f : {1.0, 4.0, 12.0, 30.0}) {
         std::vector<double> sine;
-        for (int i = 0; i < 2000; ++i) sine.push_back(std::cos(2 * M_PI * f * i / rate));
+        for (int i = 0; i < 2000; ++i)
+            sine.push_back(std::cos(2 * M_PI * f * i / rate));
         const auto smooth = lowPass(sine, rate, cutoff);
-        // Bilinear transform: the analogue frequency of f is tan(πf/rate), of the cutoff tan(πc/rate).
+        // Bilinear transform: the analogue frequency of f is tan(πf/rate), of the cutoff
+        // tan(πc/rate).
         const double ratio = std::tan(M_PI * f / rate) / std::tan(M_PI * cutoff / rate);
         const double gain = 1.0 / (1.0 + std::pow(ratio, 4));  // |H|² of 2nd order
-        for (std::size_t i = 900; i < 1100; ++i) EXPECT_NEAR(smooth[i], gain * sine[i], 1e-6);
+        for (std::size_t i = 900; i < 1100; ++i)
+            EXPECT_NEAR(smooth[i], gain * sine[i], 1e-6);
     }
 }
 
@@ -58,12 +67,14 @@ TEST(LowPass, RunsTheSameBothWays) {
     std::mt19937 random(1);
     std::normal_distribution<double> noise;
     std::vector<double> samples;
-    for (int i = 0; i < 400; ++i) samples.push_back(noise(random));
+    for (int i = 0; i < 400; ++i)
+        samples.push_back(noise(random));
     const auto forward = lowPass(samples, 60, 6);
     auto backward = lowPass({samples.rbegin(), samples.rend()}, 60, 6);
     std::reverse(backward.begin(), backward.end());
     // Zero phase: only what the ends' padding leaves differs.
-    for (std::size_t i = 60; i < 340; ++i) EXPECT_NEAR(forward[i], backward[i], 1e-6);
+    for (std::size_t i = 60; i < 340; ++i)
+        EXPECT_NEAR(forward[i], backward[i], 1e-6);
 }
 
 TEST(LowPass, ShortSignals) {
@@ -74,7 +85,8 @@ TEST(LowPass, ShortSignals) {
 
 TEST(ContactForce, StandingIsOneBodyWeight) {
     const auto force = contactForce(Path(100, {1, 0.9, 2}), 60, 6, ForceCurve::Norm);
-    for (const double f : force.curve) EXPECT_DOUBLE_EQ(f, 1.0);
+    for (const double f : force.curve)
+        EXPECT_DOUBLE_EQ(f, 1.0);
 }
 
 TEST(ContactForce, FreeFallIsZero) {
@@ -82,9 +94,11 @@ TEST(ContactForce, FreeFallIsZero) {
         return Eigen::Vector3d(0.3 * t, 1 + 2 * t - 0.5 * kGravity * t * t, -t);
     });
     const auto norm = contactForce(fall, 120, 6, ForceCurve::Norm);
-    for (std::size_t i = 40; i < 80; ++i) EXPECT_NEAR(norm.curve[i], 0.0, 1e-3);
+    for (std::size_t i = 40; i < 80; ++i)
+        EXPECT_NEAR(norm.curve[i], 0.0, 1e-3);
     const auto vertical = contactForce(fall, 120, 6, ForceCurve::Vertical);
-    for (std::size_t i = 40; i < 80; ++i) EXPECT_NEAR(vertical.curve[i], 0.0, 1e-3);
+    for (std::size_t i = 40; i < 80; ++i)
+        EXPECT_NEAR(vertical.curve[i], 0.0, 1e-3);
 }
 
 TEST(ContactForce, SineAgainstItsExactSecondDerivative) {
@@ -95,8 +109,8 @@ TEST(ContactForce, SineAgainstItsExactSecondDerivative) {
     });
     const auto force = contactForce(path, rate, 30, ForceCurve::Vertical);
     for (std::size_t i = 240; i < 720; ++i) {
-        const double exact =
-            1 - amplitude * omega * omega * std::sin(omega * static_cast<double>(i) / rate) / kGravity;
+        const double exact = 1 - amplitude * omega * omega *
+                                     std::sin(omega * static_cast<double>(i) / rate) / kGravity;
         EXPECT_NEAR(force.curve[i], exact, 2e-3);
     }
 }
@@ -116,8 +130,9 @@ TEST(ContactForce, NormIsTheLengthOfTheVector) {
 TEST(ContactForce, ClipsOfOneTwoAndThreeFrames) {
     EXPECT_TRUE(contactForce(Path(), 60, 6, ForceCurve::Norm).curve.empty());
     for (int n = 1; n <= 2; ++n) {
-        const auto force = contactForce(
-            pathOf(n, 60, [](double t) { return Eigen::Vector3d(t, 0, 0); }), 60, 6, ForceCurve::Norm);
+        const auto force =
+            contactForce(pathOf(n, 60, [](double t) { return Eigen::Vector3d(t, 0, 0); }), 60, 6,
+                         ForceCurve::Norm);
         EXPECT_EQ(force.curve, std::vector<double>(static_cast<std::size_t>(n), 1.0));
     }
     const auto three = contactForce({{{0, 0, 0}, {0, 0.1, 0}, {0, 0, 0}}}, 60, 6, ForceCurve::Norm);
@@ -126,7 +141,8 @@ TEST(ContactForce, ClipsOfOneTwoAndThreeFrames) {
 }
 
 TEST(ContactForce, ACutoffAboveHalfTheRateDoesNotSmooth) {
-    const Path path = pathOf(50, 10, [](double t) { return Eigen::Vector3d(0, std::sin(9 * t), 0); });
+    const Path path =
+        pathOf(50, 10, [](double t) { return Eigen::Vector3d(0, std::sin(9 * t), 0); });
     const auto force = contactForce(path, 10, 6, ForceCurve::Norm);
     EXPECT_FALSE(force.smoothed);
     EXPECT_EQ(force.smoothedCom, path);
@@ -134,7 +150,8 @@ TEST(ContactForce, ACutoffAboveHalfTheRateDoesNotSmooth) {
 
 TEST(BodyModel, MassesAddUpToOne) {
     double sum = 0;
-    for (const BodySegment& segment : deLevaMale().segments) sum += segment.mass;
+    for (const BodySegment& segment : deLevaMale().segments)
+        sum += segment.mass;
     EXPECT_NEAR(sum, 1.0, 1e-3);
 }
 
@@ -150,7 +167,8 @@ TEST(CentreOfMass, OfTheStandingHumanByHand) {
     const double sum = 0.4346 * (0.92 + 0.5514 * 0.50) + 0.0694 * (1.42 + 0.5 * 0.30) +
                        2 * (0.0271 + 0.0162 + 0.0061) * 1.38 + 2 * 0.1416 * (0.92 - 0.4095 * 0.42) +
                        2 * 0.0433 * (0.50 - 0.4395 * 0.42) + 2 * 0.0137 * 0.04;
-    const double masses = 0.4346 + 0.0694 + 2 * (0.0271 + 0.0162 + 0.0061 + 0.1416 + 0.0433 + 0.0137);
+    const double masses =
+        0.4346 + 0.0694 + 2 * (0.0271 + 0.0162 + 0.0061 + 0.1416 + 0.0433 + 0.0137);
     EXPECT_NEAR(com.position[0].y(), sum / masses, 1e-6);
     EXPECT_NEAR(com.position[0].x(), 0.0, 1e-6);
 }
@@ -175,8 +193,7 @@ TEST(CentreOfMass, AHeadWithoutEndSiteCountsAtItsJoint) {
     const auto motion = test::makeMotion(skeleton, 1, 60, [](int, int) { return 0.0; });
     const auto positions = forwardKinematics(*motion, {0, 1}, {0.01, UpAxis::Y});
     BodyModel headOnly{"head", {{"head", 1.0, {Role::Neck}, Role::Head, true, false, 0.5}}};
-    const auto com =
-        centreOfMass(headOnly, *skeleton, mapRoles(*skeleton).roles, positions);
+    const auto com = centreOfMass(headOnly, *skeleton, mapRoles(*skeleton).roles, positions);
     EXPECT_NEAR(com.position[0].y(), 0.60, 1e-6);
 }
 

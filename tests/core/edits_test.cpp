@@ -19,7 +19,8 @@ struct Bout {
     }
     std::vector<int> frames() const {
         std::vector<int> frames;
-        for (const Boundary& b : boundaries()) frames.push_back(b.frame);
+        for (const Boundary& b : boundaries())
+            frames.push_back(b.frame);
         return frames;
     }
     void apply(const MaybeEdit& edit) {
@@ -48,7 +49,8 @@ TEST(BoundaryEdits, MoveAndMoveBack) {
     bout.apply(moveBoundary(bout.project, bout.analysis, kFirst, frame, frame + 4));
     EXPECT_EQ(bout.frames()[3], frame + 4);
     bout.apply(moveBoundary(bout.project, bout.analysis, kFirst, frame + 4, frame + 3));
-    EXPECT_EQ(bout.project.takes[0].fighters[0].corrections.size(), 1u) << "one act, one correction";
+    EXPECT_EQ(bout.project.takes[0].fighters[0].corrections.size(), 1u)
+        << "one act, one correction";
     bout.apply(moveBoundary(bout.project, bout.analysis, kFirst, frame + 3, frame));
     EXPECT_EQ(bout.project, before);
 }
@@ -114,15 +116,16 @@ TEST(BoundaryEdits, CorrectionsSurviveAChangeOfSettings) {
     bout.apply(removeBoundary(bout.project, bout.analysis, kFirst, frame));
     for (const double cutoff : {5.0, 7.0, 8.0}) {
         bout.apply(setSegmentation(bout.project, {cutoff, 0.05, ForceCurve::Norm}));
-        for (const int other : bout.frames()) EXPECT_GT(std::abs(other - frame), 6) << cutoff;
+        for (const int other : bout.frames())
+            EXPECT_GT(std::abs(other - frame), 6) << cutoff;
         EXPECT_EQ(bout.analysis.at(kFirst).segmentation->removedMinima.size(), 1u);
     }
 }
 
 TEST(BoundaryEdits, UnmatchedCorrectionsAreForgottenOnRequestOnly) {
     Bout bout;
-    bout.project.takes[0].fighters[0].corrections = {
-        {Correction::Kind::Move, 9000, 9001, false}, {Correction::Kind::Add, 5000, 0, false}};
+    bout.project.takes[0].fighters[0].corrections = {{Correction::Kind::Move, 9000, 9001, false},
+                                                     {Correction::Kind::Add, 5000, 0, false}};
     bout.analysis = analyse(bout.project);
     ASSERT_EQ(bout.analysis.at(kFirst).segmentation->unmatched.size(), 2u);
     bout.apply(dropUnmatchedCorrections(bout.project, bout.analysis, kFirst));
@@ -139,20 +142,35 @@ Take otherTake() {
 std::vector<std::pair<std::string, std::function<MaybeEdit(const Bout&)>>> everyEdit() {
     const auto frame = [](const Bout& bout) { return bout.frames()[3]; };
     return {
-        {"remove", [=](const Bout& b) { return removeBoundary(b.project, b.analysis, kFirst, frame(b)); }},
-        {"add", [=](const Bout& b) { return addBoundary(b.project, b.analysis, kFirst, frame(b) + 9); }},
-        {"move", [=](const Bout& b) { return moveBoundary(b.project, b.analysis, kFirst, frame(b), frame(b) + 1); }},
-        {"settings", [](const Bout& b) { return setSegmentation(b.project, {5, 0.1, ForceCurve::Vertical}); }},
-        {"body", [](const Bout& b) { return setBodyModel(b.project, {"none", {}}); }},
+        {"remove",
+         [=](const Bout& b) { return removeBoundary(b.project, b.analysis, kFirst, frame(b)); }},
+        {"add",
+         [=](const Bout& b) { return addBoundary(b.project, b.analysis, kFirst, frame(b) + 9); }},
+        {"move",
+         [=](const Bout& b) {
+             return moveBoundary(b.project, b.analysis, kFirst, frame(b), frame(b) + 1);
+         }},
+        {"settings",
+         [](const Bout& b) {
+             return setSegmentation(b.project, {5, 0.1, ForceCurve::Vertical});
+         }},
+        {"body",
+         [](const Bout& b) {
+             return setBodyModel(b.project, {"none", {}});
+         }},
         {"add take", [](const Bout& b) { return addTake(b.project, otherTake()); }},
         {"remove take", [](const Bout& b) { return removeTake(b.project, 0); }},
         {"rename", [](const Bout& b) { return renameTake(b.project, 0, "round 2"); }},
         {"swap", [](const Bout& b) { return swapFighters(b.project, 0); }},
         {"offset", [](const Bout& b) { return setOffset(b.project, kFirst, 0.5); }},
-        {"place", [](const Bout& b) { return setPlacement(b.project, kFirst, {1, 2, 3}); }},
+        {"place",
+         [](const Bout& b) {
+             return setPlacement(b.project, kFirst, {1, 2, 3});
+         }},
         {"floor", [](const Bout& b) { return setFloor(b.project, kFirst, 0.05); }},
         {"role", [](const Bout& b) { return setRole(b.project, kFirst, Role::Head, 2); }},
-        {"relink", [](const Bout& b) {
+        {"relink",
+         [](const Bout& b) {
              return relinkRecording(b.project, kFirst, {"/elsewhere.bvh", {}, "x", ""},
                                     b.project.takes[0].fighters[0].motion);
          }},

@@ -17,13 +17,17 @@ std::vector<ForceMinimum> minimaByDefinition(const std::vector<double>& x) {
     const auto at = [&](int i) { return x[static_cast<std::size_t>(i)]; };
     for (int first = 1; first < n; ++first) {
         int last = first;
-        while (last + 1 < n && at(last + 1) == at(first)) ++last;
-        const bool isMinimum = last + 1 < n && at(first - 1) > at(first) && at(last + 1) > at(first);
+        while (last + 1 < n && at(last + 1) == at(first))
+            ++last;
+        const bool isMinimum =
+            last + 1 < n && at(first - 1) > at(first) && at(last + 1) > at(first);
         if (!isMinimum) continue;
         const int middle = (first + last) / 2;
         double side[2] = {at(middle), at(middle)};
-        for (int i = middle; i >= 0 && at(i) >= at(middle); --i) side[0] = std::max(side[0], at(i));
-        for (int i = middle; i < n && at(i) >= at(middle); ++i) side[1] = std::max(side[1], at(i));
+        for (int i = middle; i >= 0 && at(i) >= at(middle); --i)
+            side[0] = std::max(side[0], at(i));
+        for (int i = middle; i < n && at(i) >= at(middle); ++i)
+            side[1] = std::max(side[1], at(i));
         minima.push_back({middle, at(middle), std::min(side[0], side[1]) - at(middle)});
     }
     return minima;
@@ -35,7 +39,8 @@ TEST(FindMinima, AgreesWithTheDefinitionOnRandomCurves) {
         // Few levels, so that ties and plateaus are common.
         std::uniform_int_distribution<int> level(0, 2 + round % 6);
         std::vector<double> curve;
-        for (int i = 0, n = round % 40; i < n; ++i) curve.push_back(level(random));
+        for (int i = 0, n = round % 40; i < n; ++i)
+            curve.push_back(level(random));
         EXPECT_EQ(findMinima(curve), minimaByDefinition(curve)) << "round " << round;
     }
 }
@@ -67,13 +72,16 @@ TEST(FindMinima, KnownAnswers) {
         for (const auto& at : example["at"]) {
             const auto cut = segment(curve, minima, at["threshold"].get<double>() - 1e-9, {}, 6);
             std::vector<int> boundaries;
-            for (const Boundary& b : cut.boundaries) boundaries.push_back(b.frame);
+            for (const Boundary& b : cut.boundaries)
+                boundaries.push_back(b.frame);
             EXPECT_EQ(boundaries, at["boundaries"].get<std::vector<int>>());
             ASSERT_EQ(cut.actions.size(), at["actions"].size());
             for (std::size_t i = 0; i < cut.actions.size(); ++i) {
                 const auto& expected = at["actions"][i];
-                EXPECT_EQ(cut.actions[i], (Action{expected["begin"], expected["end"], expected["peak"]}));
-                EXPECT_EQ(curve[static_cast<std::size_t>(cut.actions[i].peak)], expected["peak_value"]);
+                EXPECT_EQ(cut.actions[i],
+                          (Action{expected["begin"], expected["end"], expected["peak"]}));
+                EXPECT_EQ(curve[static_cast<std::size_t>(cut.actions[i].peak)],
+                          expected["peak_value"]);
             }
         }
     }

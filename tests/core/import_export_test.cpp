@@ -38,7 +38,8 @@ struct Files {
     }
     TakeRequest request(const std::vector<std::filesystem::path>& paths) {
         TakeRequest take;
-        for (const auto& path : paths) take.fighters.emplace_back().path = path;
+        for (const auto& path : paths)
+            take.fighters.emplace_back().path = path;
         return take;
     }
 };
@@ -100,7 +101,8 @@ TEST(Import, OverridesAndMendedRoles) {
         importTake(request);
         FAIL();
     } catch (const Error& error) {
-        EXPECT_NE(std::string(error.what()).find("LeftCollar"), std::string::npos) << "says what there is";
+        EXPECT_NE(std::string(error.what()).find("LeftCollar"), std::string::npos)
+            << "says what there is";
     }
 }
 
@@ -197,8 +199,8 @@ TEST(Export, ActionsAsTableAndJson) {
     const Analysis analysis = analyse(exported.project);
     const std::string csv = readText(exported.write("a.csv")[0]);
     const auto lines = std::count(csv.begin(), csv.end(), '\n');
-    EXPECT_EQ(lines, 1 + static_cast<std::ptrdiff_t>(
-                             analysis.at({0, 0}).segmentation->actions.size()));
+    EXPECT_EQ(lines,
+              1 + static_cast<std::ptrdiff_t>(analysis.at({0, 0}).segmentation->actions.size()));
     EXPECT_EQ(csv.substr(0, csv.find('\n')),
               "take,player,action,begin,end,peak,begin_s,end_s,peak_force");
     EXPECT_NE(readText(exported.write("a.json")[0]).find("\"prominence\""), std::string::npos);

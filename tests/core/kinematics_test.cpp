@@ -2,8 +2,8 @@
 
 #include <random>
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "core/base/error.h"
 #include "core/motion/euler.h"
@@ -59,7 +59,8 @@ TEST(ForwardKinematics, PositionChannelsReplaceTheOffset) {
 
 TEST(ForwardKinematics, UnitsAndUpAxis) {
     const auto point = makeSkeleton({{"root", -1, {0, 0, 0}, "XYZ"}});
-    const auto motion = makeMotion(point, 1, 30, [](int, int column) { return 100.0 * (column + 1); });
+    const auto motion =
+        makeMotion(point, 1, 30, [](int, int column) { return 100.0 * (column + 1); });
     expectNear(forwardKinematics(*motion, {0, 1}, {0.01, UpAxis::Y}).at(0, 0), {1, 2, 3});
     expectNear(forwardKinematics(*motion, {0, 1}, {0.01, UpAxis::Z}).at(0, 0), {1, 3, -2});
 }
@@ -83,7 +84,8 @@ TEST(ForwardKinematics, AgreesWithQuaternionsUpTheChain) {
     for (int round = 0; round < 20; ++round) {
         std::vector<test::JointSpec> specs = {{"0", -1, {0, 0, 0}, "XYZzxy"}};
         for (int j = 1; j < 12; ++j) {
-            specs.push_back({std::to_string(j), static_cast<int>(random() % static_cast<unsigned>(j)),
+            specs.push_back({std::to_string(j),
+                             static_cast<int>(random() % static_cast<unsigned>(j)),
                              {length(random), length(random), length(random)},
                              orders[random() % orders.size()]});
         }
@@ -95,7 +97,8 @@ TEST(ForwardKinematics, AgreesWithQuaternionsUpTheChain) {
             const auto row = motion->frame(frame);
             for (int j = 0; j < skeleton->jointCount(); ++j) {
                 Eigen::Vector3d point = Eigen::Vector3d::Zero();
-                for (int up = j; up >= 0; up = skeleton->joints[static_cast<std::size_t>(up)].parent) {
+                for (int up = j; up >= 0;
+                     up = skeleton->joints[static_cast<std::size_t>(up)].parent) {
                     const Joint& joint = skeleton->joints[static_cast<std::size_t>(up)];
                     Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
                     Eigen::Vector3d offset = joint.offset;
@@ -123,7 +126,8 @@ TEST(ForwardKinematics, CanBeCancelled) {
                                    [](int, int) { return 0.0; });
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(forwardKinematics(*motion, motion->frames(), {}, {{}, stop.get_token()}), Cancelled);
+    EXPECT_THROW(forwardKinematics(*motion, motion->frames(), {}, {{}, stop.get_token()}),
+                 Cancelled);
 }
 
 TEST(EulerAngles, EveryOrderComesBack) {

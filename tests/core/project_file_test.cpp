@@ -31,9 +31,8 @@ struct SavedBout {
         request.name = "round 1, \"semi\"-final: \\a";
         int player = 0;
         for (const char* name : {"red.bvh", "blue.bvh"}) {
-            const auto motion = test::bobbing(200, 60, [player](double t) {
-                return test::boutHeight(player, t);
-            });
+            const auto motion =
+                test::bobbing(200, 60, [player](double t) { return test::boutHeight(player, t); });
             const auto path = folder / "recordings" / name;
             writeText(path, bvhText(*motion, motion->frames(), motion->frameTime));
             request.fighters.emplace_back().path = path;
@@ -142,8 +141,9 @@ TEST(ProjectFile, AnotherSkeletonKeepsTheRolesByName) {
     writeText(bout.folder / "recordings" / "red.bvh", bvhText(*motion, motion->frames(), 1.0 / 60));
     const LoadedProject loaded = loadProject(bout.file);
     const Fighter& red = loaded.project.takes[0].fighters[0];
-    EXPECT_EQ(red.motion->skeleton->joints[static_cast<std::size_t>(*red.roles[Role::LeftKnee])].name,
-              "LeftKnee");
+    EXPECT_EQ(
+        red.motion->skeleton->joints[static_cast<std::size_t>(*red.roles[Role::LeftKnee])].name,
+        "LeftKnee");
 }
 
 TEST(ProjectFile, ANewerVersionIsRefused) {
@@ -232,10 +232,11 @@ TEST(BodyModelFile, ReadsWhatAProjectHolds) {
     writeText(folder / "bad.json", R"({"name": "x", "segments": [{"name": "a", "mass": 0,
                   "from": ["left_hip"]}]})");
     EXPECT_THROW(readBodyModel(folder / "bad.json"), InputError);
-    const auto shipped =
-        std::filesystem::path(KUMITE_SOURCE_DIR) / "resources" / "body_models" / "de_leva_female.json";
+    const auto shipped = std::filesystem::path(KUMITE_SOURCE_DIR) / "resources" / "body_models" /
+                         "de_leva_female.json";
     double sum = 0;
-    for (const BodySegment& segment : readBodyModel(shipped).segments) sum += segment.mass;
+    for (const BodySegment& segment : readBodyModel(shipped).segments)
+        sum += segment.mass;
     EXPECT_NEAR(sum, 1.0, 1e-3);
 }
 

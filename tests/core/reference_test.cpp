@@ -26,7 +26,8 @@ protected:
         for (const std::string_view line : split(text, '\n')) {
             if (line.empty()) continue;
             auto& row = rows.emplace_back();
-            for (const std::string_view field : split(trimmed(line), ',')) row.emplace_back(field);
+            for (const std::string_view field : split(trimmed(line), ','))
+                row.emplace_back(field);
         }
         rows.erase(rows.begin());
         return rows;
@@ -61,7 +62,8 @@ TEST_P(Reference, JointsForceAndMinimaAgree) {
     const Fighter& fighter = project.takes[0].fighters[0];
 
     const Skeleton& skeleton = *fighter.motion->skeleton;
-    const auto positions = forwardKinematics(*fighter.motion, fighter.motion->frames(), fighter.space);
+    const auto positions =
+        forwardKinematics(*fighter.motion, fighter.motion->frames(), fighter.space);
     for (const auto& row : rows(file(".joints.csv"))) {
         const Eigen::Vector3f p = positions.at(*parseInteger(row[0]), skeleton.find(row[1]));
         for (int axis = 0; axis < 3; ++axis) {
@@ -116,7 +118,8 @@ TEST(SameMotion, AsAmcAndAsBvh) {
     for (const auto& [top, middle, end] : limbs) {
         std::vector<double> differences;
         for (int frame = 20; frame < 3261; frame += 10) {
-            const auto flexion = [&, top = top, middle = middle, end = end](const FighterAnalysis& f) {
+            const auto flexion = [&, top = top, middle = middle,
+                                  end = end](const FighterAnalysis& f) {
                 const auto at = [&](Role role) {
                     return f.motion->positions.at(frame, *f.input.roles[role]);
                 };
@@ -127,8 +130,10 @@ TEST(SameMotion, AsAmcAndAsBvh) {
             differences.push_back(flexion(amc) - flexion(bvh));
         }
         double mean = 0, spread = 0;
-        for (const double d : differences) mean += d / static_cast<double>(differences.size());
-        for (const double d : differences) spread = std::max(spread, std::abs(d - mean));
+        for (const double d : differences)
+            mean += d / static_cast<double>(differences.size());
+        for (const double d : differences)
+            spread = std::max(spread, std::abs(d - mean));
         EXPECT_LT(std::abs(mean), 20) << roleName(middle);
         EXPECT_LT(spread, 8) << roleName(middle) << ", degrees";
     }

@@ -59,13 +59,14 @@ std::shared_ptr<const Skeleton> bodyWithNames(const Convention& names) {
 std::vector<std::string> sided(const std::string& prefix, const std::vector<std::string>& bases,
                                const std::string& suffix = "") {
     std::vector<std::string> names;
-    for (const std::string& base : bases) names.push_back(prefix + base + suffix);
+    for (const std::string& base : bases)
+        names.push_back(prefix + base + suffix);
     return names;
 }
 
 std::vector<Convention> conventions() {
-    const std::vector<std::string> ik = {"Shoulder", "Arm",  "ForeArm", "Hand",
-                                         "UpLeg",    "Leg",  "Foot",    "ToeBase"};
+    const std::vector<std::string> ik = {"Shoulder", "Arm", "ForeArm", "Hand",
+                                         "UpLeg",    "Leg", "Foot",    "ToeBase"};
     const std::vector<std::string> poser = {"Collar", "Shldr", "ForeArm", "Hand",
                                             "Thigh",  "Shin",  "Foot",    "Toe"};
     const std::vector<std::string> bio = {"Collar", "Shoulder", "Elbow", "Wrist",
@@ -86,19 +87,62 @@ std::vector<Convention> conventions() {
     lafan.back() = "Toe";
     const auto mixamo = [](const std::vector<std::string>& n) { return sided("mixamorig:", n); };
     return {
-        {"HumanIK", {"Hips", "LowerBack", "Spine1", "Neck", "Head"}, sided("Left", ik), sided("Right", ik), ""},
-        {"HumanIK", mixamo({"Hips", "Spine", "Spine2", "Neck", "Head"}), mixamo(sided("Left", ik)), mixamo(sided("Right", ik)), ""},
-        {"HumanIK", sided("Character1_", {"Hips", "Spine", "Spine1", "Neck", "Head"}), sided("Character1_Left", ik), sided("Character1_Right", ik), "Character1_Reference"},
-        {"HumanIK", {"Hips", "Spine", "Spine2", "Neck", "Head"}, sided("Left", lafan), sided("Right", lafan), ""},
-        {"HumanIK", sided("Robot_", {"Hips", "Spine", "Spine3", "Neck", "Head"}), sided("Robot_Left", ik), sided("Robot_Right", ik), ""},
-        {"Poser", {"hip", "abdomen", "chest", "neck", "head"}, sided("l", poser), sided("r", poser), ""},
-        {"Biovision", {"Hips", "Ab", "Chest", "Neck", "Head"}, sided("Left", bio), sided("Right", bio), ""},
-        {"ASF", {"root", "lowerback", "thorax", "lowerneck", "head"}, sided("l", asf), sided("r", asf), ""},
-        {"Biped", {"Bip01 Pelvis", "Bip01 Spine", "Bip01 Spine1", "Bip01 Neck", "Bip01 Head"}, sided("Bip01 L ", biped), sided("Bip01 R ", biped), "Bip01"},
-        {"Xsens", {"Pelvis", "L5", "T8", "Neck", "Head"}, sided("Left", xsens), sided("Right", xsens), ""},
-        {"Rokoko", {"Hips", "Spine", "Spine2", "Neck", "Head"}, sided("Left", rokoko), sided("Right", rokoko), ""},
-        {"Bandai-Namco", {"Hips", "Spine", "Chest", "Neck", "Head"}, sided("", bandai, "_L"), sided("", bandai, "_R"), "joint_Root"},
-        {"Unreal", {"pelvis", "spine_01", "spine_03", "neck_01", "head"}, sided("", unreal, "_l"), sided("", unreal, "_r"), "root"},
+        {"HumanIK",
+         {"Hips", "LowerBack", "Spine1", "Neck", "Head"},
+         sided("Left", ik),
+         sided("Right", ik),
+         ""},
+        {"HumanIK", mixamo({"Hips", "Spine", "Spine2", "Neck", "Head"}), mixamo(sided("Left", ik)),
+         mixamo(sided("Right", ik)), ""},
+        {"HumanIK", sided("Character1_", {"Hips", "Spine", "Spine1", "Neck", "Head"}),
+         sided("Character1_Left", ik), sided("Character1_Right", ik), "Character1_Reference"},
+        {"HumanIK",
+         {"Hips", "Spine", "Spine2", "Neck", "Head"},
+         sided("Left", lafan),
+         sided("Right", lafan),
+         ""},
+        {"HumanIK", sided("Robot_", {"Hips", "Spine", "Spine3", "Neck", "Head"}),
+         sided("Robot_Left", ik), sided("Robot_Right", ik), ""},
+        {"Poser",
+         {"hip", "abdomen", "chest", "neck", "head"},
+         sided("l", poser),
+         sided("r", poser),
+         ""},
+        {"Biovision",
+         {"Hips", "Ab", "Chest", "Neck", "Head"},
+         sided("Left", bio),
+         sided("Right", bio),
+         ""},
+        {"ASF",
+         {"root", "lowerback", "thorax", "lowerneck", "head"},
+         sided("l", asf),
+         sided("r", asf),
+         ""},
+        {"Biped",
+         {"Bip01 Pelvis", "Bip01 Spine", "Bip01 Spine1", "Bip01 Neck", "Bip01 Head"},
+         sided("Bip01 L ", biped),
+         sided("Bip01 R ", biped),
+         "Bip01"},
+        {"Xsens",
+         {"Pelvis", "L5", "T8", "Neck", "Head"},
+         sided("Left", xsens),
+         sided("Right", xsens),
+         ""},
+        {"Rokoko",
+         {"Hips", "Spine", "Spine2", "Neck", "Head"},
+         sided("Left", rokoko),
+         sided("Right", rokoko),
+         ""},
+        {"Bandai-Namco",
+         {"Hips", "Spine", "Chest", "Neck", "Head"},
+         sided("", bandai, "_L"),
+         sided("", bandai, "_R"),
+         "joint_Root"},
+        {"Unreal",
+         {"pelvis", "spine_01", "spine_03", "neck_01", "head"},
+         sided("", unreal, "_l"),
+         sided("", unreal, "_r"),
+         "root"},
     };
 }
 
@@ -124,7 +168,8 @@ TEST(MapRoles, EveryNamingFamily) {
 
 TEST(MapRoles, NamesThatSayNothingAreReadOffTheShape) {
     Convention numbers{"topology", {}, {}, {}, ""};
-    for (int i = 0; i < 5; ++i) numbers.middle.push_back("bone" + std::to_string(i));
+    for (int i = 0; i < 5; ++i)
+        numbers.middle.push_back("bone" + std::to_string(i));
     for (int i = 0; i < 8; ++i) {
         numbers.left.push_back("bone" + std::to_string(10 + i));
         numbers.right.push_back("bone" + std::to_string(20 + i));
@@ -135,10 +180,11 @@ TEST(MapRoles, NamesThatSayNothingAreReadOffTheShape) {
     ASSERT_FALSE(mapping.findings.empty());
     EXPECT_EQ(mapping.findings.front().severity, Severity::Warning);
     const std::map<Role, std::string> expected = {
-        {Pelvis, "bone0"},      {Chest, "bone2"},      {Neck, "bone3"},      {Head, "bone4"},
-        {LeftShoulder, "bone11"}, {LeftElbow, "bone12"}, {LeftWrist, "bone13"}, {LeftHip, "bone14"},
-        {LeftKnee, "bone15"},   {LeftAnkle, "bone16"}, {LeftToe, "bone17"},  {RightElbow, "bone22"},
-        {RightKnee, "bone25"},  {RightToe, "bone27"}};
+        {Pelvis, "bone0"},     {Chest, "bone2"},         {Neck, "bone3"},
+        {Head, "bone4"},       {LeftShoulder, "bone11"}, {LeftElbow, "bone12"},
+        {LeftWrist, "bone13"}, {LeftHip, "bone14"},      {LeftKnee, "bone15"},
+        {LeftAnkle, "bone16"}, {LeftToe, "bone17"},      {RightElbow, "bone22"},
+        {RightKnee, "bone25"}, {RightToe, "bone27"}};
     for (const auto& [role, name] : expected) {
         EXPECT_EQ(jointOf(*skeleton, mapping, role), name) << roleName(role);
     }

@@ -26,20 +26,28 @@ struct Curve {
         minima = findMinima(values);
     }
 
-    Segmentation cut(const std::vector<Correction>& corrections, double threshold = kThreshold) const {
+    Segmentation cut(const std::vector<Correction>& corrections,
+                     double threshold = kThreshold) const {
         return segment(values, minima, threshold, corrections, kReach);
     }
 };
 
 std::vector<int> framesOf(const Segmentation& cut) {
     std::vector<int> frames;
-    for (const Boundary& boundary : cut.boundaries) frames.push_back(boundary.frame);
+    for (const Boundary& boundary : cut.boundaries)
+        frames.push_back(boundary.frame);
     return frames;
 }
 
-Correction remove(int frame) { return {Kind::Remove, frame, 0, false}; }
-Correction add(int frame, bool beside = false) { return {Kind::Add, frame, 0, beside}; }
-Correction move(int frame, int to) { return {Kind::Move, frame, to, false}; }
+Correction remove(int frame) {
+    return {Kind::Remove, frame, 0, false};
+}
+Correction add(int frame, bool beside = false) {
+    return {Kind::Add, frame, 0, beside};
+}
+Correction move(int frame, int to) {
+    return {Kind::Move, frame, to, false};
+}
 
 TEST(Segment, CutsAtTheProminentMinimaAndTheEnds) {
     const auto cut = Curve().cut({});

@@ -15,7 +15,8 @@ std::shared_ptr<const Skeleton> humanIn(double unitsPerCentimetre, bool zUp = fa
     auto skeleton = std::make_shared<Skeleton>(*makeHuman());
     for (Joint& joint : skeleton->joints) {
         joint.offset *= unitsPerCentimetre;
-        if (zUp) joint.offset = Eigen::Vector3d(joint.offset.x(), -joint.offset.z(), joint.offset.y());
+        if (zUp)
+            joint.offset = Eigen::Vector3d(joint.offset.x(), -joint.offset.z(), joint.offset.y());
     }
     return skeleton;
 }
@@ -26,7 +27,7 @@ std::shared_ptr<const Motion> standing(std::shared_ptr<const Skeleton> skeleton,
 
 TEST(Survey, FindsTheUnitByTheLegs) {
     const std::vector<std::pair<std::string, double>> units = {
-        {"m", 1.0},    {"dm", 0.1},      {"cm", 0.01},        {"mm", 0.001},
+        {"m", 1.0},       {"dm", 0.1},      {"cm", 0.01},          {"mm", 0.001},
         {"inch", 0.0254}, {"foot", 0.3048}, {"cmu", 0.0254 / 0.45}};
     for (const auto& [name, metres] : units) {
         const Survey survey = surveyMotion(*standing(humanIn(0.01 / metres)));

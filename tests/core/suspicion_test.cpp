@@ -45,7 +45,8 @@ TEST(Suspicion, PriorSuspectsShallowHighCrowdedMinimaAndFastFeet) {
     stream.add(1000, 0.6, 0.5);  // crowded
     stream.add(1006, 0.6, 0.5);
     const Suspicion suspicion = stream.rank();
-    for (const std::size_t i : {1u, 2u, 3u, 4u, 5u}) EXPECT_GT(suspicion[i], suspicion[0]) << i;
+    for (const std::size_t i : {1u, 2u, 3u, 4u, 5u})
+        EXPECT_GT(suspicion[i], suspicion[0]) << i;
     for (const double p : suspicion) {
         EXPECT_GT(p, 0.0);
         EXPECT_LT(p, 1.0);

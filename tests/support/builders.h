@@ -22,8 +22,7 @@ std::shared_ptr<const Skeleton> makeSkeleton(const std::vector<JointSpec>& joint
 
 /// A motion whose channel values a function of frame and column gives.
 std::shared_ptr<const Motion> makeMotion(std::shared_ptr<const Skeleton> skeleton, int frames,
-                                         double rate,
-                                         const std::function<double(int, int)>& value);
+                                         double rate, const std::function<double(int, int)>& value);
 
 /// A standing human, arms out, in centimetres, y up, facing +z, with Biovision names; hips at the
 /// root's origin, which stands at 92 cm when the feet are on the floor. Root channels XYZzxy.

@@ -34,6 +34,6 @@ void writeText(const std::filesystem::path& path, const std::string& text);
 }  // namespace kumite::test
 
 /// Skips a test that needs the real recordings where they are not present.
-#define KUMITE_NEEDS_DATA()                                                          \
-    if (!kumite::test::dataFolder())                                                 \
+#define KUMITE_NEEDS_DATA()          \
+    if (!kumite::test::dataFolder()) \
     GTEST_SKIP() << "no recordings: set KUMITE_DATA to the folder that holds them"
