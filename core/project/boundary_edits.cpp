@@ -34,10 +34,6 @@ struct Subject {
     const ForceMinimum& minimum(int index) const {
         return values.force->minima[static_cast<std::size_t>(index)];
     }
-    std::span<const ForceMinimum> minima() const {
-        return values.force ? std::span<const ForceMinimum>(values.force->minima)
-                            : std::span<const ForceMinimum>();
-    }
     std::string at(int frame) const {
         return fmt::format("at {:.2f} s, fighter {}", frame / fighter.rate, player);
     }
@@ -79,12 +75,60 @@ Edit withCorrections(const Project& project, FighterAddress address,
     return edit;
 }
 
-/// Whether a correction other than an addition means this minimum.
-bool means(const Project& project, const Subject& subject, const Correction& correction,
-           int minimum) {
-    return correction.kind != Correction::Kind::Add &&
-           meantMinimum(subject.minima(), project.segmentation.prominence, correction.frame,
-                        subject.reach) == minimum;
+/// The correction (its index) of a kind that means a minimum.
+std::optional<std::size_t> correctionOf(const Subject& subject, Correction::Kind kind, int minimum) {
+    const std::vector<Correction>& corrections = subject.fighter.corrections;
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+        if (corrections[i].kind == kind && subject.segmentation.meant[i] == minimum) return i;
+    }
+    return std::nullopt;
+}
+
+/// The addition at a frame that is there, or that was removed.
+std::optional<std::size_t> additionAt(const Subject& subject, int frame, bool removed) {
+    const std::vector<Correction>& corrections = subject.fighter.corrections;
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+        const Correction& correction = corrections[i];
+        const bool fits = correction.kind == Correction::Kind::Add && correction.frame == frame &&
+                          correction.removed == removed;
+        if (fits) return i;
+    }
+    return std::nullopt;
+}
+
+/// Before a minimum is given back to detection: additions near it that stand for no minimum must
+/// not be taken for it from now on, or one of the two boundaries would vanish.
+void keepAdditionsApart(const Subject& subject, int minimumFrame,
+                        std::vector<Correction>& corrections) {
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+        const bool near = std::abs(corrections[i].frame - minimumFrame) <= subject.reach;
+        if (corrections[i].kind == Correction::Kind::Add && near && !subject.segmentation.meant[i]) {
+            corrections[i].beside = true;
+        }
+    }
+}
+
+bool standsAt(const Subject& subject, int frame) {
+    return std::any_of(subject.segmentation.boundaries.begin(), subject.segmentation.boundaries.end(),
+                       [&](const Boundary& boundary) { return boundary.frame == frame; });
+}
+
+/// A boundary that a hand took away: where it would stand, and the minimum it is (nothing: it was
+/// added).
+struct RemovedBoundary {
+    int frame = 0;
+    std::optional<int> minimum;
+};
+
+std::vector<RemovedBoundary> removedBoundaries(const Subject& subject) {
+    std::vector<RemovedBoundary> removed;
+    for (const int frame : subject.segmentation.removedAdded) removed.push_back({frame, {}});
+    for (const int index : subject.segmentation.removedMinima) {
+        const auto move = correctionOf(subject, Correction::Kind::Move, index);
+        removed.push_back({move ? subject.fighter.corrections[*move].to : subject.minimum(index).frame,
+                           index});
+    }
+    return removed;
 }
 
 }  // namespace
@@ -93,11 +137,14 @@ MaybeEdit removeBoundary(const Project& project, const Analysis& analysis, Fight
                          int frame) {
     const Subject subject(project, analysis, address);
     const Boundary& boundary = boundaryNear(subject, frame);
-    const bool added = boundary.source == BoundarySource::Added;
     std::vector<Correction> corrections = subject.fighter.corrections;
-    corrections.push_back({Correction::Kind::Remove,
-                           added ? boundary.frame : subject.minimum(*boundary.minimum).frame, 0,
-                           false});
+    if (boundary.source == BoundarySource::Added) {
+        corrections[*additionAt(subject, boundary.frame, false)].removed = true;
+    } else {
+        Correction removal;
+        removal.frame = subject.minimum(*boundary.minimum).frame;
+        corrections.push_back(removal);
+    }
     return withCorrections(project, address, std::move(corrections),
                            "Remove boundary " + subject.at(boundary.frame));
 }
@@ -105,61 +152,51 @@ MaybeEdit removeBoundary(const Project& project, const Analysis& analysis, Fight
 MaybeEdit restoreBoundary(const Project& project, const Analysis& analysis, FighterAddress address,
                           int frame) {
     const Subject subject(project, analysis, address);
-    const Segmentation& segmentation = subject.segmentation;
-    // Where removed boundaries stood; the nearest is meant.
-    std::optional<int> place, minimum;
-    const auto offer = [&](int candidate, std::optional<int> index) {
-        const int distance = std::abs(candidate - frame);
-        if (distance > subject.reach || (place && distance >= std::abs(*place - frame))) return;
-        place = candidate;
-        minimum = index;
-    };
-    for (const int removed : segmentation.removedAdded)
-        offer(removed, {});
-    for (const int index : segmentation.removedMinima) {
-        offer(subject.minimum(index).frame, index);
-        for (const Correction& correction : subject.fighter.corrections) {
-            const bool moved = correction.kind == Correction::Kind::Move &&
-                               means(project, subject, correction, index);
-            if (moved) offer(correction.to, index);
-        }
-    }
-    if (!place) {
+    const std::vector<RemovedBoundary> removed = removedBoundaries(subject);
+    const auto nearest =
+        std::min_element(removed.begin(), removed.end(),
+                         [&](const RemovedBoundary& a, const RemovedBoundary& b) {
+                             return std::abs(a.frame - frame) < std::abs(b.frame - frame);
+                         });
+    if (nearest == removed.end() || std::abs(nearest->frame - frame) > subject.reach) {
         throw Error(fmt::format("Fighter {} has no removed boundary near frame {}.", subject.player,
                                 frame));
     }
+    if (standsAt(subject, nearest->frame)) {
+        throw Error(fmt::format("Fighter {} has another boundary at frame {}; move that one first.",
+                                subject.player, nearest->frame));
+    }
     std::vector<Correction> corrections = subject.fighter.corrections;
-    std::erase_if(corrections, [&](const Correction& correction) {
-        if (correction.kind != Correction::Kind::Remove) return false;
-        return minimum ? means(project, subject, correction, *minimum) : correction.frame == *place;
-    });
+    if (nearest->minimum) {
+        keepAdditionsApart(subject, subject.minimum(*nearest->minimum).frame, corrections);
+        const auto removal = correctionOf(subject, Correction::Kind::Remove, *nearest->minimum);
+        corrections.erase(corrections.begin() + static_cast<std::ptrdiff_t>(*removal));
+    } else {
+        corrections[*additionAt(subject, nearest->frame, true)].removed = false;
+    }
     return withCorrections(project, address, std::move(corrections),
-                           "Restore boundary " + subject.at(*place));
+                           "Restore boundary " + subject.at(nearest->frame));
 }
 
 MaybeEdit addBoundary(const Project& project, const Analysis& analysis, FighterAddress address,
                       int frame) {
     const Subject subject(project, analysis, address);
-    const Segmentation& segmentation = subject.segmentation;
     const int last = subject.values.frameCount() - 1;
     if (frame <= 0 || frame >= last) {
-        throw Error(
-            fmt::format("Frame {} is not inside the take: a boundary can stand from frame 1 to {}.",
-                        frame, last - 1));
+        throw Error(fmt::format("Frame {} is not inside the take, whose last frame is {}: a boundary "
+                                "cannot stand there.",
+                                frame, last));
     }
-    const bool exists =
-        std::any_of(segmentation.boundaries.begin(), segmentation.boundaries.end(),
-                    [&](const Boundary& boundary) { return boundary.frame == frame; });
-    if (exists) return std::nullopt;
+    if (standsAt(subject, frame)) return std::nullopt;
+    const std::vector<RemovedBoundary> removed = removedBoundaries(subject);
     const bool wasRemoved =
-        std::count(segmentation.removedAdded.begin(), segmentation.removedAdded.end(), frame) > 0 ||
-        std::any_of(segmentation.removedMinima.begin(), segmentation.removedMinima.end(),
-                    [&](int index) { return subject.minimum(index).frame == frame; });
+        std::any_of(removed.begin(), removed.end(),
+                    [&](const RemovedBoundary& boundary) { return boundary.frame == frame; });
     if (wasRemoved) return restoreBoundary(project, analysis, address, frame);
 
     std::vector<Correction> corrections = subject.fighter.corrections;
-    corrections.push_back(
-        {Correction::Kind::Add, frame, 0, standsBesideAnother(subject, frame, std::nullopt)});
+    corrections.push_back({Correction::Kind::Add, frame, 0,
+                           standsBesideAnother(subject, frame, std::nullopt), false});
     return withCorrections(project, address, std::move(corrections),
                            "Add boundary " + subject.at(frame));
 }
@@ -177,20 +214,20 @@ MaybeEdit moveBoundary(const Project& project, const Analysis& analysis, Fighter
     }
     std::vector<Correction> corrections = subject.fighter.corrections;
     if (boundary.source == BoundarySource::Added) {
-        for (Correction& correction : corrections) {
-            if (correction.kind != Correction::Kind::Add || correction.frame != boundary.frame) {
-                continue;
-            }
-            correction.frame = to;
-            correction.beside = standsBesideAnother(subject, to, boundary.frame);
+        Correction& addition = corrections[*additionAt(subject, boundary.frame, false)];
+        addition.frame = to;
+        addition.beside = standsBesideAnother(subject, to, boundary.frame);
+        // What was taken away at the new place is replaced.
+        if (const auto old = additionAt(subject, to, true)) {
+            corrections.erase(corrections.begin() + static_cast<std::ptrdiff_t>(*old));
         }
     } else {
-        std::erase_if(corrections, [&](const Correction& correction) {
-            return correction.kind == Correction::Kind::Move &&
-                   means(project, subject, correction, *boundary.minimum);
-        });
         const int home = subject.minimum(*boundary.minimum).frame;
-        if (to != home) corrections.push_back({Correction::Kind::Move, home, to, false});
+        keepAdditionsApart(subject, home, corrections);
+        if (const auto old = correctionOf(subject, Correction::Kind::Move, *boundary.minimum)) {
+            corrections.erase(corrections.begin() + static_cast<std::ptrdiff_t>(*old));
+        }
+        if (to != home) corrections.push_back({Correction::Kind::Move, home, to, false, false});
     }
     return withCorrections(project, address, std::move(corrections),
                            "Move boundary " + subject.at(to));

@@ -33,6 +33,7 @@ Json correctionJson(const Correction& correction) {
     }
     Json json = {{"add", correction.frame}};
     if (correction.beside) json["beside"] = true;
+    if (correction.removed) json["removed"] = true;
     return json;
 }
 
@@ -108,6 +109,7 @@ Correction readCorrection(const JsonReader& json) {
         correction.kind = Correction::Kind::Add;
         correction.frame = json["add"].integer();
         correction.beside = json.has("beside") && json["beside"].boolean();
+        correction.removed = json.has("removed") && json["removed"].boolean();
     } else if (json.has("move")) {
         correction.kind = Correction::Kind::Move;
         correction.frame = json["move"].integer();

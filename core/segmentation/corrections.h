@@ -6,12 +6,12 @@ namespace kumite {
 
 /// What a user decided about one boundary, kept apart from detection (method A2).
 ///
-/// Remove: the minimum (or added boundary) at `frame` is spurious.
+/// Remove: the minimum at `frame` is spurious.
 /// Add: there is a boundary at `frame`.
 /// Move: the minimum at `frame` is a boundary that stands at `to`.
 ///
-/// `frame` refers to a minimum by nearness: it means the nearest one within 0.1 s, so that a
-/// correction survives a change of cutoff or threshold.
+/// Remove and Move refer to a minimum by nearness, within 0.1 s, so that a correction survives a
+/// change of cutoff or threshold.
 struct Correction {
     enum class Kind { Remove, Add, Move };
 
@@ -20,6 +20,8 @@ struct Correction {
     int to = 0;  ///< Move only
     /// Add only: made while another boundary stood within 0.1 s, so it is never taken for that one.
     bool beside = false;
+    /// Add only: taken away again; kept so that it can be restored.
+    bool removed = false;
 
     bool operator==(const Correction&) const = default;
 };

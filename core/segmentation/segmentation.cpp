@@ -10,152 +10,137 @@ namespace {
 /// What the corrections say about one minimum.
 struct MinimumState {
     bool kept = false;  ///< prominent enough to be a boundary by itself
-    bool removed = false;
-    bool absorbed = false;  ///< an added boundary stands for it
-    std::optional<int> movedTo;
+    std::optional<std::size_t> remover;  ///< the correction that removed it
+    std::optional<std::size_t> mover;    ///< the correction that moved it
+    std::optional<std::size_t> adder;    ///< the added boundary that stands for it
 };
 
-/// A boundary that a hand added.
-struct Added {
-    int frame = 0;
-    bool removed = false;
-    std::optional<int> minimum;
+/// A boundary and the correction that put it where it is, if one did.
+struct Candidate {
+    Boundary boundary;
+    std::optional<std::size_t> correction;
 };
 
-/// The nearest minimum within reach of a frame among those that `accept` lets through; of two as
-/// near, the earlier.
-template <typename Accept>
-std::optional<int> nearest(std::span<const ForceMinimum> minima, int frame, double reach,
-                           const Accept& accept) {
-    const auto isBefore = [](const ForceMinimum& minimum, double f) { return minimum.frame < f; };
-    auto it = std::lower_bound(minima.begin(), minima.end(), frame - reach, isBefore);
-    std::optional<int> best;
-    int bestDistance = 0;
-    for (; it != minima.end() && it->frame <= frame + reach; ++it) {
-        const int index = static_cast<int>(it - minima.begin());
-        const int distance = std::abs(it->frame - frame);
-        if (!accept(index) || (best && distance >= bestDistance)) continue;
-        best = index;
-        bestDistance = distance;
-    }
-    return best;
-}
-
-/// Applies the corrections to the minima, one after the other.
-class Corrector {
+/// Finds out what each correction means.
+class Matcher {
 public:
-    Corrector(std::span<const ForceMinimum> minima, double threshold, double reach, int frameCount)
+    Matcher(std::span<const ForceMinimum> minima, double threshold,
+            std::span<const Correction> corrections, double reach, int frameCount)
         : states(minima.size()),
+          meant(corrections.size()),
+          matched(corrections.size(), true),
           minima_(minima),
-          threshold_(threshold),
-          reach_(reach),
-          lastFrame_(frameCount - 1) {
+          reach_(reach) {
         for (std::size_t i = 0; i < minima.size(); ++i) {
             states[i].kept = minima[i].prominence >= threshold;
         }
+        const auto isInside = [&](int frame) { return frame > 0 && frame < frameCount - 1; };
+        for (std::size_t i = 0; i < corrections.size(); ++i) {
+            const Correction& correction = corrections[i];
+            if (correction.kind == Correction::Kind::Remove) {
+                claim(correction.frame, i, &MinimumState::remover);
+            } else if (correction.kind == Correction::Kind::Move && isInside(correction.to)) {
+                claim(correction.frame, i, &MinimumState::mover);
+            } else if (correction.kind == Correction::Kind::Move || !isInside(correction.frame)) {
+                matched[i] = false;
+            }
+        }
+        // Additions last: they stand for what no hand has touched.
+        for (std::size_t i = 0; i < corrections.size(); ++i) {
+            const Correction& correction = corrections[i];
+            if (correction.kind != Correction::Kind::Add) continue;
+            const double reach = correction.beside ? 0.0 : reach_;
+            meant[i] = nearest(correction.frame, reach, [](const MinimumState& state) {
+                return state.kept && !state.remover && !state.mover && !state.adder;
+            });
+            if (meant[i]) states[static_cast<std::size_t>(*meant[i])].adder = i;
+        }
     }
 
-    void apply(std::span<const Correction> corrections) {
-        // Additions first: a removal may mean one of them, whatever the order of the list.
-        for (const Correction& correction : corrections) {
-            if (correction.kind == Correction::Kind::Add) add(correction);
-        }
-        for (const Correction& correction : corrections) {
-            if (correction.kind == Correction::Kind::Remove) remove(correction);
-            if (correction.kind == Correction::Kind::Move) move(correction);
-        }
-    }
-
-    std::vector<MinimumState> states;  ///< one per minimum
-    std::vector<Added> added;
-    std::vector<Correction> unmatched;
+    std::vector<MinimumState> states;        ///< one per minimum
+    std::vector<std::optional<int>> meant;   ///< one per correction
+    std::vector<bool> matched;               ///< one per correction: has it an effect?
 
 private:
-    MinimumState& state(int index) { return states[static_cast<std::size_t>(index)]; }
-    bool isInside(int frame) const { return frame > 0 && frame < lastFrame_; }
-
-    std::optional<int> meant(int frame) const {
-        return meantMinimum(minima_, threshold_, frame, reach_);
+    void claim(int frame, std::size_t correction,
+               std::optional<std::size_t> MinimumState::*claimant) {
+        const auto minimum = nearest(frame, reach_, [&](const MinimumState& state) {
+            return !(state.*claimant).has_value();
+        });
+        meant[correction] = minimum;
+        matched[correction] = minimum.has_value();
+        if (minimum) states[static_cast<std::size_t>(*minimum)].*claimant = correction;
     }
 
-    void add(const Correction& correction) {
-        if (!isInside(correction.frame)) {
-            unmatched.push_back(correction);
-            return;
+    /// The nearest minimum within reach of a frame among those that `accept` lets through; one
+    /// that cuts counts as half as far; of two as near, the earlier.
+    template <typename Accept>
+    std::optional<int> nearest(int frame, double reach, const Accept& accept) const {
+        const auto isBefore = [](const ForceMinimum& m, double f) { return m.frame < f; };
+        auto it = std::lower_bound(minima_.begin(), minima_.end(), frame - reach, isBefore);
+        std::optional<int> best;
+        double bestDistance = 0;
+        for (; it != minima_.end() && it->frame <= frame + reach; ++it) {
+            const auto index = static_cast<std::size_t>(it - minima_.begin());
+            const double distance = std::abs(it->frame - frame) * (states[index].kept ? 0.5 : 1.0);
+            if (!accept(states[index]) || (best && distance >= bestDistance)) continue;
+            best = static_cast<int>(index);
+            bestDistance = distance;
         }
-        std::optional<int> minimum;
-        if (!correction.beside) {
-            minimum = nearest(minima_, correction.frame, reach_,
-                              [&](int i) { return state(i).kept && !state(i).absorbed; });
-        }
-        if (minimum) state(*minimum).absorbed = true;
-        added.push_back({correction.frame, false, minimum});
-    }
-
-    void remove(const Correction& correction) {
-        for (Added& boundary : added) {
-            if (boundary.frame != correction.frame) continue;
-            boundary.removed = true;
-            return;
-        }
-        const auto minimum = meant(correction.frame);
-        if (minimum) {
-            state(*minimum).removed = true;
-        } else {
-            unmatched.push_back(correction);
-        }
-    }
-
-    void move(const Correction& correction) {
-        const auto minimum = meant(correction.frame);
-        if (minimum && isInside(correction.to)) {
-            state(*minimum).movedTo = correction.to;
-        } else {
-            unmatched.push_back(correction);
-        }
+        return best;
     }
 
     std::span<const ForceMinimum> minima_;
-    double threshold_;
     double reach_;
-    int lastFrame_;
 };
 
-std::vector<Boundary> boundariesOf(const Corrector& corrector, std::span<const ForceMinimum> minima,
-                                   int frameCount, Segmentation& result) {
-    std::vector<Boundary> boundaries = {{0, BoundarySource::End, {}}};
-    if (frameCount > 1) boundaries.push_back({frameCount - 1, BoundarySource::End, {}});
-    for (const Added& added : corrector.added) {
-        if (added.removed) {
-            result.removedAdded.push_back(added.frame);
+/// All boundaries that detection and hands ask for; several may ask for one frame.
+std::vector<Candidate> candidates(const Matcher& matcher, std::span<const ForceMinimum> minima,
+                                  std::span<const Correction> corrections, int frameCount,
+                                  Segmentation& result) {
+    std::vector<Candidate> all = {{{0, BoundarySource::End, {}}, {}}};
+    if (frameCount > 1) all.push_back({{frameCount - 1, BoundarySource::End, {}}, {}});
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+        if (corrections[i].kind != Correction::Kind::Add || !matcher.matched[i]) continue;
+        if (corrections[i].removed) {
+            result.removedAdded.push_back(corrections[i].frame);
         } else {
-            boundaries.push_back({added.frame, BoundarySource::Added, added.minimum});
+            all.push_back({{corrections[i].frame, BoundarySource::Added, matcher.meant[i]}, i});
         }
     }
-    for (std::size_t i = 0; i < corrector.states.size(); ++i) {
-        const MinimumState& state = corrector.states[i];
+    for (std::size_t i = 0; i < minima.size(); ++i) {
+        const MinimumState& state = matcher.states[i];
         const int index = static_cast<int>(i);
-        if (state.absorbed || (!state.kept && !state.movedTo)) continue;
-        if (state.removed) {
+        if (state.adder || (!state.kept && !state.mover)) continue;
+        if (state.remover) {
             result.removedMinima.push_back(index);
-        } else if (state.movedTo) {
-            boundaries.push_back({*state.movedTo, BoundarySource::Moved, index});
+        } else if (state.mover) {
+            all.push_back({{corrections[*state.mover].to, BoundarySource::Moved, index}, state.mover});
         } else {
-            boundaries.push_back({minima[i].frame, BoundarySource::Detected, index});
+            all.push_back({{minima[i].frame, BoundarySource::Detected, index}, {}});
         }
     }
-    // Where two fall on one frame the hand's boundary stands; ends always stand.
-    const auto rank = [](BoundarySource source) {
-        return source == BoundarySource::End ? 0 : source == BoundarySource::Detected ? 2 : 1;
+    return all;
+}
+
+/// In order, one per frame: ends stand first, then what a hand put there.
+void keepOnePerFrame(std::vector<Candidate> all, std::vector<bool>& matched, Segmentation& result) {
+    const auto rank = [](const Candidate& candidate) {
+        if (candidate.boundary.source == BoundarySource::End) return 0;
+        return candidate.correction ? 1 : 2;
     };
-    std::sort(boundaries.begin(), boundaries.end(), [&](const Boundary& a, const Boundary& b) {
-        return std::pair(a.frame, rank(a.source)) < std::pair(b.frame, rank(b.source));
+    std::stable_sort(all.begin(), all.end(), [&](const Candidate& a, const Candidate& b) {
+        return std::pair(a.boundary.frame, rank(a)) < std::pair(b.boundary.frame, rank(b));
     });
-    const auto last =
-        std::unique(boundaries.begin(), boundaries.end(),
-                    [](const Boundary& a, const Boundary& b) { return a.frame == b.frame; });
-    boundaries.erase(last, boundaries.end());
-    return boundaries;
+    for (const Candidate& candidate : all) {
+        const bool taken = !result.boundaries.empty() &&
+                           result.boundaries.back().frame == candidate.boundary.frame;
+        if (!taken) {
+            result.boundaries.push_back(candidate.boundary);
+        } else if (candidate.correction) {
+            matched[*candidate.correction] = false;
+        }
+    }
 }
 
 Action actionBetween(std::span<const double> curve, int begin, int end) {
@@ -173,19 +158,11 @@ std::string correctionText(const Correction& correction) {
         case Correction::Kind::Remove:
             return "remove " + frame;
         case Correction::Kind::Add:
-            return "add " + frame;
+            return "add " + frame + (correction.removed ? " (removed)" : "");
         case Correction::Kind::Move:
             return "move " + frame + " to " + std::to_string(correction.to);
     }
     return {};
-}
-
-std::optional<int> meantMinimum(std::span<const ForceMinimum> minima, double threshold, int frame,
-                                double reach) {
-    const auto cuts = nearest(minima, frame, reach, [&](int i) {
-        return minima[static_cast<std::size_t>(i)].prominence >= threshold;
-    });
-    return cuts ? cuts : nearest(minima, frame, reach, [](int) { return true; });
 }
 
 Segmentation segment(std::span<const double> curve, std::span<const ForceMinimum> minima,
@@ -194,12 +171,16 @@ Segmentation segment(std::span<const double> curve, std::span<const ForceMinimum
     const int frameCount = static_cast<int>(curve.size());
     if (frameCount == 0) {
         result.unmatched.assign(corrections.begin(), corrections.end());
+        result.meant.resize(corrections.size());
         return result;
     }
-    Corrector corrector(minima, threshold, reach, frameCount);
-    corrector.apply(corrections);
-    result.boundaries = boundariesOf(corrector, minima, frameCount, result);
-    result.unmatched = std::move(corrector.unmatched);
+    Matcher matcher(minima, threshold, corrections, reach, frameCount);
+    std::vector<bool> matched = matcher.matched;
+    keepOnePerFrame(candidates(matcher, minima, corrections, frameCount, result), matched, result);
+    for (std::size_t i = 0; i < corrections.size(); ++i) {
+        if (!matched[i]) result.unmatched.push_back(corrections[i]);
+    }
+    result.meant = std::move(matcher.meant);
     if (frameCount == 1) result.actions.push_back({0, 0, 0});
     for (std::size_t i = 0; i + 1 < result.boundaries.size(); ++i) {
         result.actions.push_back(

@@ -39,21 +39,25 @@ struct Segmentation {
     std::vector<Action> actions;        ///< gapless: actions[i].end == actions[i + 1].begin
     std::vector<int> removedMinima;     ///< indices of minima that a hand removed
     std::vector<int> removedAdded;      ///< frames of added boundaries that a hand removed again
-    std::vector<Correction> unmatched;  ///< corrections that no longer mean any minimum
+    std::vector<Correction> unmatched;  ///< corrections that are without effect now
+    /// For each correction, in their order, the index of the minimum that it means: that is removed,
+    /// moved, or that an added boundary stands for.
+    std::vector<std::optional<int>> meant;
 
     bool operator==(const Segmentation&) const = default;
 };
-
-/// The minimum (its index) that a correction at `frame` means: the nearest within `reach` frames
-/// among those whose prominence reaches `threshold`, else the nearest of any. Of two as near, the
-/// earlier.
-std::optional<int> meantMinimum(std::span<const ForceMinimum> minima, double threshold, int frame,
-                                double reach);
 
 /// Boundaries = first frame, last frame, every minimum whose prominence reaches `threshold` (body
 /// weights), and the corrections (method A2). `minima` are all minima of `curve`; `reach` is how
 /// far a correction may look for its minimum, in frames. A curve of one frame gives one action
 /// that begins and ends there; an empty curve gives nothing.
+///
+/// A removal or a move means the nearest minimum within reach that no other removal (move) means;
+/// one that cuts counts as half as far, because noise may be nearer than the minimum that was meant.
+/// An added boundary stands for the nearest minimum within reach that cuts and that no hand removed
+/// or moved, unless it was added beside another on purpose: so it is not cut twice when a lower
+/// threshold finds the minimum. Corrections that mean nothing any more, or whose boundary falls on
+/// another one's frame, are listed in `unmatched`.
 Segmentation segment(std::span<const double> curve, std::span<const ForceMinimum> minima,
                      double threshold, std::span<const Correction> corrections, double reach);
 

@@ -1,8 +1,12 @@
 #include "core/project/edits.h"
 
+#include <algorithm>
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "core/project/history.h"
+#include "core/project/project_file.h"
 #include "tests/support/builders.h"
 
 namespace kumite {
@@ -122,10 +126,61 @@ TEST(BoundaryEdits, CorrectionsSurviveAChangeOfSettings) {
     }
 }
 
+/// Random acts around two boundaries, settings changed in between: each does exactly what it says.
+TEST(BoundaryEdits, EveryActDoesWhatItSaysAfterAnyOther) {
+    std::mt19937 random(5);
+    const auto draw = [&](int from, int to) {
+        return from + static_cast<int>(random() % static_cast<unsigned>(to - from + 1));
+    };
+    const Bout fresh;
+    const std::array<int, 2> places = {fresh.frames()[3], fresh.frames()[5]};
+    int acts = 0;
+    for (int run = 0; run < 400; ++run) {
+        Bout bout;
+        std::string log;
+        for (int step = 0; step < 8; ++step) {
+            const int frame = places[random() % 2] + draw(-9, 9);
+            const int to = frame + draw(-12, 12);
+            const auto before = bout.frames();
+            const int act = draw(0, 5);
+            MaybeEdit edit;
+            try {
+                const Project& p = bout.project;
+                const Analysis& a = bout.analysis;
+                if (act <= 1) edit = removeBoundary(p, a, kFirst, frame);
+                if (act == 2) edit = addBoundary(p, a, kFirst, frame);
+                if (act == 3) edit = moveBoundary(p, a, kFirst, frame, to);
+                if (act == 4) edit = restoreBoundary(p, a, kFirst, frame);
+                if (act == 5) edit = setSegmentation(p, {1.0 * draw(5, 7), 0.01 * draw(1, 30), ForceCurve::Norm});
+            } catch (const Error&) {
+                continue;
+            }
+            if (!edit) continue;
+            ++acts;
+            log += std::to_string(act) + " " + std::to_string(frame) + " " + std::to_string(to) + "; ";
+            const auto nearest = *std::min_element(before.begin(), before.end(), [&](int x, int y) {
+                return std::abs(x - frame) < std::abs(y - frame);
+            });
+            bout.apply(edit);
+            const auto after = bout.frames();
+            const auto has = [&](int f) { return std::count(after.begin(), after.end(), f) > 0; };
+            const auto change = static_cast<int>(after.size()) - static_cast<int>(before.size());
+            const bool asSaid[] = {change == -1 && !has(nearest), change == -1 && !has(nearest),
+                                   change == 1 && has(frame),     change == 0 && has(to),
+                                   change == 1,                   true};
+            EXPECT_TRUE(asSaid[act]) << log;
+            const std::string text = projectText(bout.project, "/");
+            EXPECT_EQ(projectText(parseProject(text, "x", "/"), "/"), text) << log;
+            if (HasFailure()) return;
+        }
+    }
+    EXPECT_GT(acts, 1000);
+}
+
 TEST(BoundaryEdits, UnmatchedCorrectionsAreForgottenOnRequestOnly) {
     Bout bout;
-    bout.project.takes[0].fighters[0].corrections = {{Correction::Kind::Move, 9000, 9001, false},
-                                                     {Correction::Kind::Add, 5000, 0, false}};
+    bout.project.takes[0].fighters[0].corrections = {{Correction::Kind::Move, 9000, 9001, false, false},
+                                                     {Correction::Kind::Add, 5000, 0, false, false}};
     bout.analysis = analyse(bout.project);
     ASSERT_EQ(bout.analysis.at(kFirst).segmentation->unmatched.size(), 2u);
     bout.apply(dropUnmatchedCorrections(bout.project, bout.analysis, kFirst));

@@ -43,9 +43,9 @@ struct SavedBout {
         request.fighters[0].floor = 0.02;
         Project project = addTake({}, importTake(request).take)->project;
         project = setSegmentation(project, {5.5, 0.07, ForceCurve::Vertical})->project;
-        project.takes[0].fighters[0].corrections = {{Correction::Kind::Remove, 40, 0, false},
-                                                    {Correction::Kind::Add, 55, 0, true},
-                                                    {Correction::Kind::Move, 70, 72, false}};
+        project.takes[0].fighters[0].corrections = {{Correction::Kind::Remove, 40, 0, false, false},
+                                                    {Correction::Kind::Add, 55, 0, true, false},
+                                                    {Correction::Kind::Move, 70, 72, false, false}};
         saveProject(project, file);
     }
 };

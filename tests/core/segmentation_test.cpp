@@ -40,13 +40,13 @@ std::vector<int> framesOf(const Segmentation& cut) {
 }
 
 Correction remove(int frame) {
-    return {Kind::Remove, frame, 0, false};
+    return {Kind::Remove, frame, 0, false, false};
 }
-Correction add(int frame, bool beside = false) {
-    return {Kind::Add, frame, 0, beside};
+Correction add(int frame, bool beside = false, bool removed = false) {
+    return {Kind::Add, frame, 0, beside, removed};
 }
 Correction move(int frame, int to) {
-    return {Kind::Move, frame, to, false};
+    return {Kind::Move, frame, to, false, false};
 }
 
 TEST(Segment, CutsAtTheProminentMinimaAndTheEnds) {
@@ -99,7 +99,7 @@ TEST(Segment, AnAddedBoundaryIsTheMinimumThatAppearsBesideIt) {
 }
 
 TEST(Segment, RemovingAnAddedBoundaryKeepsItForRestoring) {
-    const auto cut = Curve().cut({add(42), remove(42)});
+    const auto cut = Curve().cut({add(42, false, true)});
     EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 60, 80, 100}));
     EXPECT_EQ(cut.removedAdded, std::vector<int>{42});
 }
@@ -110,10 +110,36 @@ TEST(Segment, ARemovalWinsOverAMoveOfTheSameMinimum) {
     EXPECT_EQ(cut.removedMinima, std::vector<int>{2});
 }
 
+TEST(Segment, TheMinimumAtTheFrameIsMeantEvenIfAnotherOneCuts) {
+    // The shallow minimum at 40 was removed; a boundary 5 frames away must not suffer for it.
+    Curve curve;
+    curve.values[45] -= 0.3;
+    curve.values[42] = 1.1;
+    curve.minima = findMinima(curve.values);
+    EXPECT_EQ(framesOf(curve.cut({remove(40)})), (std::vector<int>{0, 20, 45, 60, 80, 100}));
+}
+
+TEST(Segment, EachCorrectionMeansAMinimumOfItsOwn) {
+    const auto cut = Curve().cut({move(59, 57), move(61, 64)});
+    EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 57, 80, 100}));
+    EXPECT_EQ(cut.unmatched, std::vector<Correction>{move(61, 64)});
+    EXPECT_EQ(cut.meant[0], 2);
+    EXPECT_EQ(cut.meant[1], std::nullopt);
+}
+
+TEST(Segment, AnAddedBoundaryLeavesAloneWhatAHandMovedOrRemoved) {
+    EXPECT_EQ(framesOf(Curve().cut({move(60, 50), add(62)})),
+              (std::vector<int>{0, 20, 50, 62, 80, 100}));
+    const auto cut = Curve().cut({remove(60), add(62)});
+    EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 62, 80, 100}));
+    EXPECT_EQ(cut.removedMinima, std::vector<int>{2}) << "it can still be restored";
+}
+
 TEST(Segment, OneBoundaryPerFrame) {
-    const auto cut = Curve().cut({move(60, 80)});
+    const auto cut = Curve().cut({move(60, 80), add(80, true)});
     EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 80, 100}));
-    EXPECT_EQ(cut.boundaries[2].source, BoundarySource::Moved);
+    EXPECT_EQ(cut.unmatched.size(), 1u) << "one of the two that ask for frame 80 is listed";
+    EXPECT_EQ(cut.boundaries[2].source, BoundarySource::Added);
 }
 
 TEST(Segment, ClipsOfNoOneTwoAndThreeFrames) {
@@ -139,7 +165,8 @@ TEST(Segment, ActionsAreAGaplessPartition) {
             return static_cast<int>((state >> 16) % n);
         };
         for (int i = draw(8); i > 0; --i) {
-            corrections.push_back({static_cast<Kind>(draw(3)), draw(110), draw(110), draw(2) == 0});
+            corrections.push_back({static_cast<Kind>(draw(3)), draw(110), draw(110), draw(2) == 0,
+                                   draw(4) == 0});
         }
         const auto cut = curve.cut(corrections, 0.01 * draw(60));
         ASSERT_EQ(cut.actions.size() + 1, cut.boundaries.size());

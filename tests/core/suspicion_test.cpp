@@ -64,9 +64,9 @@ TEST(Suspicion, LearnsFromRemovals) {
     Stream stream = mixed();
     const Suspicion before = stream.rank();
     // Three of the shallow ones are removed: the seven others must now lead all deep ones by more.
-    const Suspicion after = stream.rank({{Correction::Kind::Remove, 4 * 48, 0, false},
-                                         {Correction::Kind::Remove, 8 * 48, 0, false},
-                                         {Correction::Kind::Remove, 12 * 48, 0, false}});
+    const Suspicion after = stream.rank({{Correction::Kind::Remove, 4 * 48, 0, false, false},
+                                         {Correction::Kind::Remove, 8 * 48, 0, false, false},
+                                         {Correction::Kind::Remove, 12 * 48, 0, false, false}});
     for (std::size_t i = 15; i < 40; i += 4) {
         EXPECT_GT(after[i], 2 * before[i]);
         EXPECT_GT(after[i], 5 * after[i - 1]);
@@ -81,23 +81,23 @@ TEST(Suspicion, LearnsTheOppositeToo) {
         stream.add(48 * i, 0.6, 0.5);
         if (kick) stream.footSpeed[static_cast<std::size_t>(48 * i)] = 2.0f;
     }
-    const Suspicion after = stream.rank({{Correction::Kind::Remove, 4 * 48, 0, false},
-                                         {Correction::Kind::Remove, 8 * 48, 0, false}});
+    const Suspicion after = stream.rank({{Correction::Kind::Remove, 4 * 48, 0, false, false},
+                                         {Correction::Kind::Remove, 8 * 48, 0, false, false}});
     EXPECT_GT(after[11], 3 * after[10]);
 }
 
 TEST(Suspicion, AMovedBoundaryIsNoSuspect) {
     Stream stream = mixed();
     const Suspicion before = stream.rank();
-    const Suspicion after = stream.rank({{Correction::Kind::Move, 4 * 48, 4 * 48 + 3, false},
-                                         {Correction::Kind::Move, 8 * 48, 8 * 48 + 3, false}});
+    const Suspicion after = stream.rank({{Correction::Kind::Move, 4 * 48, 4 * 48 + 3, false, false},
+                                         {Correction::Kind::Move, 8 * 48, 8 * 48 + 3, false, false}});
     EXPECT_LT(after[15], before[15]);
 }
 
 TEST(Suspicion, IsSharedByFightersAndDeterministic) {
     Stream one = mixed(), two = mixed();
     one.cut = segment(one.curve, one.minima, kThreshold,
-                      std::vector<Correction>{{Correction::Kind::Remove, 4 * 48, 0, false}}, 6);
+                      std::vector<Correction>{{Correction::Kind::Remove, 4 * 48, 0, false, false}}, 6);
     two.cut = segment(two.curve, two.minima, kThreshold, {}, 6);
     const std::vector<SuspicionInput> inputs = {
         {one.curve, one.minima, &one.cut, one.footSpeed, kRate, kThreshold},
