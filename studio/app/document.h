@@ -1,0 +1,77 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+
+#include "core/project/analysis.h"
+#include "core/project/edits.h"
+#include "core/project/history.h"
+#include "studio/jobs/job_runner.h"
+
+namespace kumite::studio {
+
+/// The open project with its undo history, and everything derived from it. All edits go through
+/// here. Belongs to the GUI thread.
+class Document : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Document(QObject* parent = nullptr);
+
+    bool isOpen() const { return open_; }
+    const Project& project() const { return history_.current(); }
+    const History& history() const { return history_; }
+    /// The derived values; those of an earlier project while `isCurrent()` is false.
+    const Analysis& analysis() const { return analysis_; }
+    bool isCurrent() const { return !jobs_.isRunning(); }
+
+    /// Absolute path of the project file; empty while it has none.
+    QString path() const { return path_; }
+    /// "bout.kumite", or the first take's name.
+    QString name() const;
+    bool isModified() const { return open_ && (unsaved_ || !history_.isSaved()); }
+
+    /// Makes a project the open one. `unsaved`: it is not what the file at `path` holds.
+    void open(History history, Analysis analysis, const QString& path, bool unsaved);
+    void markSaved(const QString& path);
+
+    using ProjectEdit = std::function<MaybeEdit(const Project&)>;
+    using BoundaryEdit = std::function<MaybeEdit(const Project&, const Analysis&)>;
+    /// Commits what the function returns; false where it changed nothing or failed (then
+    /// `failed` says why).
+    bool apply(const ProjectEdit& edit);
+    /// The same for edits that need the analysis, which is brought up to date first.
+    bool apply(const BoundaryEdit& edit);
+    void undo();
+    void redo();
+    void goToStep(std::size_t step);
+    /// Computes at once what a job still computes, for those who need it now.
+    void bringUpToDate();
+
+    JobRunner& jobs() { return jobs_; }
+
+Q_SIGNALS:
+    /// Another project is open.
+    void opened();
+    /// Project, history or saved state changed.
+    void changed();
+    /// The derived values changed.
+    void analysisChanged();
+    void failed(const QString& sentence);
+
+private:
+    bool commit(const std::function<MaybeEdit()>& edit);
+    void refresh();
+    void analyseNow();
+
+    History history_;
+    Analysis analysis_;
+    QString path_;
+    bool open_ = false;
+    bool unsaved_ = false;
+    JobRunner jobs_;
+};
+
+}  // namespace kumite::studio

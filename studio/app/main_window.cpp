@@ -1,0 +1,277 @@
+#include "studio/app/main_window.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDropEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QSurfaceFormat>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+#include "studio/app/commands.h"
+#include "studio/app/document_panel.h"
+#include "studio/app/file_actions.h"
+#include "studio/app/icons.h"
+#include "studio/app/keys_page.h"
+#include "studio/app/message_strip.h"
+#include "studio/app/recent_files.h"
+#include "studio/app/welcome_page.h"
+#include "studio/jobs/job_bar.h"
+#include "studio/timeline/timeline_view.h"
+#include "studio/timeline/transport_bar.h"
+#include "studio/view3d/stage_view.h"
+#include "studio/workspaces/segment/segment_panel.h"
+
+namespace kumite::studio {
+
+namespace {
+
+QStringList droppedFiles(const QMimeData* data) {
+    QStringList files;
+    for (const QUrl& url : data->urls()) {
+        if (url.isLocalFile()) files.append(url.toLocalFile());
+    }
+    return files;
+}
+
+}  // namespace
+
+void MainWindow::prepareGraphics() {
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 2);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(0);
+    QSurfaceFormat::setDefaultFormat(format);
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+}
+
+MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+    setWindowIcon(applicationIcon());
+    setAcceptDrops(true);
+    setMinimumSize(900, 560);
+    commands_ = new CommandTable(this);
+    layOut();
+    addFileCommands();
+    addEditCommands();
+    addPlaybackCommands();
+    addViewCommands();
+    refreshIcons();
+    commands_->fillMenus(menuBar());
+    auto* box = static_cast<QVBoxLayout*>(timelineBox_->layout());
+    box->insertWidget(0, new TransportBar(session_, *commands_, timelineBox_));
+    welcome_ = new WelcomePage(*commands_, pages_);
+    pages_->insertWidget(0, welcome_);
+    pages_->setCurrentWidget(welcome_);
+    listen();
+    commands_->refresh();
+    refreshTitle();
+    showStatus({});
+    const QSettings settings;
+    if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
+        resize(1280, 800);
+    }
+    spaceShared_ = rows_->restoreState(settings.value(QStringLiteral("rows")).toByteArray()) &&
+                   columns_->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
+    for (QSplitter* splitter : {rows_, columns_}) {
+        connect(splitter, &QSplitter::splitterMoved, this, [this] { spaceShared_ = true; });
+    }
+    qApp->installEventFilter(this);
+}
+
+MainWindow::~MainWindow() {
+    qApp->removeEventFilter(this);
+    // The views listen to the session, which is destroyed before them.
+    delete takeCentralWidget();
+}
+
+void MainWindow::layOut() {
+    pages_ = new QStackedWidget(this);
+    rows_ = new QSplitter(Qt::Vertical, pages_);
+    columns_ = new QSplitter(Qt::Horizontal, rows_);
+    documentPanel_ = new DocumentPanel(session_, columns_);
+    stage_ = new StageView(session_, columns_);
+    segmentPanel_ = new SegmentPanel(session_, columns_);
+    columns_->addWidget(documentPanel_);
+    columns_->addWidget(stage_);
+    columns_->addWidget(segmentPanel_);
+    timelineBox_ = new QWidget(rows_);
+    auto* box = new QVBoxLayout(timelineBox_);
+    box->setContentsMargins(0, 0, 0, 0);
+    box->setSpacing(0);
+    timeline_ = new TimelineView(session_, timelineBox_);
+    box->addWidget(timeline_, 1);
+    rows_->addWidget(columns_);
+    rows_->addWidget(timelineBox_);
+    for (QSplitter* splitter : {rows_, columns_}) {
+        splitter->setHandleWidth(1);
+        splitter->setChildrenCollapsible(false);
+    }
+    rows_->setStretchFactor(0, 1);
+    rows_->setStretchFactor(1, 0);
+    columns_->setStretchFactor(0, 0);
+    columns_->setStretchFactor(1, 1);
+    columns_->setStretchFactor(2, 0);
+    pages_->addWidget(rows_);
+    setCentralWidget(pages_);
+    strip_ = new MessageStrip(pages_);
+    files_ = new FileActions(session_, *strip_, this);
+
+    status_ = new QLabel(this);
+    status_->setContentsMargins(8, 0, 8, 0);
+    status_->setMinimumWidth(1);
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(status_, 1);
+    auto* jobs = new JobBar(this);
+    jobs->watch(files_->jobs());
+    jobs->watch(session_.document().jobs());
+    statusBar()->addPermanentWidget(jobs);
+}
+
+void MainWindow::listen() {
+    Document& document = session_.document();
+    connect(&document, &Document::failed, strip_, &MessageStrip::showError);
+    connect(&document, &Document::changed, this, [this] {
+        refreshTitle();
+        commands_->refresh();
+    });
+    connect(&document, &Document::opened, this, [this] {
+        pages_->setCurrentWidget(rows_);
+        timeline_->setFocus();
+        showStatus({});
+        // The view has its size only after it was laid out.
+        QTimer::singleShot(0, stage_, &StageView::frameAll);
+    });
+    connect(&session_.transport(), &Transport::stateChanged, this, [this] {
+        commands_->refresh();
+        refreshIcons();
+    });
+    connect(&session_, &Session::selectionChanged, commands_, &CommandTable::refresh);
+    connect(&session_, &Session::hovered, this, &MainWindow::showStatus);
+    connect(&session_, &Session::hinted, this, &MainWindow::showStatus);
+    connect(files_, &FileActions::reported, this, &MainWindow::showStatus);
+    connect(files_, &FileActions::opened, this, [this](const QStringList& files) {
+        rememberFiles(files);
+        welcome_->refresh();
+    });
+    connect(welcome_, &WelcomePage::chosen, files_, &FileActions::open);
+}
+
+bool MainWindow::isBusy() const {
+    return files_->jobs().isRunning() || !session_.document().isCurrent();
+}
+
+void MainWindow::shareSpace() {
+    // Half of the window and more for the 3D view; the timeline grows with the window.
+    const int height = pages_->height();
+    const int timeline = std::clamp(height / 4, 176, 300);
+    rows_->setSizes({height - timeline - 1, timeline});
+    const int left = width() < 1600 ? 136 : 176;
+    const int right = width() < 1600 ? 224 : 256;
+    columns_->setSizes({left, width() - left - right - 2, right});
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    if (spaceShared_) return;
+    QTimer::singleShot(0, this, [this] {
+        if (!spaceShared_) shareSpace();
+    });
+}
+
+void MainWindow::refreshTitle() {
+    const Document& document = session_.document();
+    setWindowTitle(document.isOpen() ? tr("%1[*] — Kumite").arg(document.name()) : tr("Kumite"));
+    setWindowModified(document.isModified());
+}
+
+void MainWindow::refreshIcons() {
+    commands_->refreshIcons();
+    if (!session_.transport().isPlaying()) return;
+    commands_->action("transport.play")
+        ->setIcon(lineIcon(QStringLiteral("pause"), coloursFor(palette()).text));
+}
+
+void MainWindow::showStatus(const QString& text) {
+    QString line = text;
+    if (line.isEmpty() && session_.document().isOpen()) {
+        line =
+            tr("Space play   ← → frame   Ctrl+← → boundary   Del remove or restore   S add   "
+               "F1 all keys");
+    }
+    status_->setText(line);
+}
+
+void MainWindow::showKeys() {
+    auto* page = new KeysPage(*commands_, this);
+    page->setAttribute(Qt::WA_DeleteOnClose);
+    page->show();
+}
+
+void MainWindow::setTheme(ThemeChoice choice) {
+    theme_ = choice;
+    applyTheme(choice);
+    QSettings().setValue(QStringLiteral("theme"), static_cast<int>(choice));
+    commands_->refresh();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && commands_ != nullptr) refreshIcons();
+}
+
+void MainWindow::togglePanels() {
+    const bool hide = documentPanel_->isVisible() || segmentPanel_->isVisible();
+    documentPanel_->setVisible(!hide);
+    segmentPanel_->setVisible(!hide);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!files_->mayLeave()) {
+        event->ignore();
+        return;
+    }
+    QSettings settings;
+    settings.setValue(QStringLiteral("geometry"), saveGeometry());
+    if (spaceShared_) {
+        settings.setValue(QStringLiteral("rows"), rows_->saveState());
+        settings.setValue(QStringLiteral("columns"), columns_->saveState());
+    }
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFiles(event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QStringList files = droppedFiles(event->mimeData());
+    if (files.isEmpty()) return;
+    event->acceptProposedAction();
+    // Questions may follow: not while the other program still waits for the drop to end.
+    QTimer::singleShot(0, this, [this, files] { files_->open(files); });
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // A button that has the focus is pressed by Space; elsewhere Space plays.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Space && qobject_cast<QAbstractButton*>(watched) != nullptr) {
+            event->accept();
+            return true;
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,235 @@
+#include "studio/app/session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/segmentation/corrections.h"
+#include "studio/app/words.h"
+
+namespace kumite::studio {
+
+namespace {
+/// The shortest stretch that the timeline shows, seconds.
+constexpr double kShortestVisible = 0.1;
+}  // namespace
+
+Session::Session(QObject* parent) : QObject(parent) {
+    connect(&document_, &Document::opened, this, &Session::opened);
+    connect(&document_, &Document::analysisChanged, this, &Session::refreshMarks);
+    connect(&document_, &Document::changed, this, [this] {
+        // Undo may take away the take that is shown.
+        const auto takes = static_cast<int>(document_.project().takes.size());
+        if (take_ > 0 && take_ >= takes) setTake(takes - 1);
+    });
+}
+
+void Session::opened() {
+    take_ = 0;
+    activePlayer_ = 0;
+    selection_.reset();
+    refreshMarks();
+    setTake(0);
+}
+
+void Session::setTake(int take) {
+    const auto& takes = document_.project().takes;
+    take_ = std::clamp(take, 0, std::max(0, static_cast<int>(takes.size()) - 1));
+    activePlayer_ = 0;
+    selection_.reset();
+    refreshMarks();
+    transport_.setSpan(takes.empty() ? TimeSpan{}
+                                     : timeSpan(takes[static_cast<std::size_t>(take_)]));
+    Q_EMIT takeChanged();
+    Q_EMIT activePlayerChanged();
+    Q_EMIT selectionChanged();
+    showAll();
+}
+
+int Session::playerCount() const {
+    const auto& takes = document_.project().takes;
+    if (take_ >= static_cast<int>(takes.size())) return 0;
+    return static_cast<int>(takes[static_cast<std::size_t>(take_)].fighters.size());
+}
+
+const FighterAnalysis* Session::fighter(int player) const {
+    const auto& takes = document_.analysis().takes;
+    if (take_ >= static_cast<int>(takes.size())) return nullptr;
+    const auto& fighters = takes[static_cast<std::size_t>(take_)];
+    if (player < 0 || player >= static_cast<int>(fighters.size())) return nullptr;
+    const FighterAnalysis& found = fighters[static_cast<std::size_t>(player)];
+    return found.available() ? &found : nullptr;
+}
+
+const std::vector<BoundaryMark>& Session::marks(int player) const {
+    static const std::vector<BoundaryMark> none;
+    const auto index = static_cast<std::size_t>(player);
+    return player >= 0 && index < marks_.size() ? marks_[index] : none;
+}
+
+int Session::shownFrame(int player) const {
+    const FighterAnalysis* found = fighter(player);
+    return found ? frameAtTime(found->input, transport_.shownTime()) : 0;
+}
+
+double Session::timeOf(const BoundaryRef& boundary) const {
+    const FighterAnalysis* found = fighter(boundary.player);
+    return found ? timeOfFrame(found->input, boundary.frame) : 0.0;
+}
+
+void Session::setActivePlayer(int player) {
+    if (player == activePlayer_ || player < 0 || player >= playerCount()) return;
+    activePlayer_ = player;
+    Q_EMIT activePlayerChanged();
+}
+
+void Session::select(std::optional<BoundaryRef> boundary) {
+    if (boundary == selection_) return;
+    selection_ = boundary;
+    Q_EMIT selectionChanged();
+}
+
+void Session::goTo(const BoundaryRef& boundary) {
+    setActivePlayer(boundary.player);
+    select(boundary);
+    transport_.setPlayhead(timeOf(boundary));
+    reveal(transport_.playhead());
+}
+
+void Session::setVisible(TimeSpan span) {
+    const TimeSpan all = transport_.span();
+    const double whole = std::max(kShortestVisible, all.end - all.begin);
+    const double length = std::clamp(span.end - span.begin, kShortestVisible, whole);
+    const double middle = 0.5 * (span.begin + span.end);
+    visible_.begin = std::clamp(middle - length / 2, all.begin, all.begin + whole - length);
+    visible_.end = visible_.begin + length;
+    Q_EMIT visibleChanged();
+}
+
+void Session::showAll() {
+    setVisible(transport_.span());
+}
+
+void Session::reveal(double seconds) {
+    const double length = visible_.end - visible_.begin;
+    if (seconds < visible_.begin) {
+        setVisible({seconds - 0.1 * length, seconds + 0.9 * length});
+    } else if (seconds > visible_.end) {
+        setVisible({seconds - 0.9 * length, seconds + 0.1 * length});
+    }
+}
+
+void Session::refreshMarks() {
+    marks_.clear();
+    for (int player = 0; player < playerCount(); ++player) {
+        const FighterAnalysis* found = fighter(player);
+        marks_.push_back(found ? boundaryMarks(*found) : std::vector<BoundaryMark>{});
+    }
+    keepSelection();
+    Q_EMIT fightersChanged();
+    const bool known = take_ < static_cast<int>(document_.analysis().takes.size());
+    if (awaited_ && known) Q_EMIT takeChanged();
+    awaited_ = !known;
+}
+
+void Session::keepSelection() {
+    if (!selection_) return;
+    const FighterAnalysis* found = fighter(selection_->player);
+    const double reach = found ? kCorrectionReach * found->input.rate : 0.0;
+    const BoundaryMark* mark = nearestMark(marks(selection_->player), selection_->frame, reach);
+    select(mark ? std::optional(BoundaryRef{selection_->player, mark->frame}) : std::nullopt);
+}
+
+void Session::toggleBoundary(const BoundaryRef& boundary) {
+    const BoundaryMark* mark = nearestMark(marks(boundary.player), boundary.frame, 0.5);
+    if (mark == nullptr) return;
+    const bool live = mark->isLive();
+    select(boundary);
+    document_.apply([&](const Project& project, const Analysis& analysis) {
+        return live ? removeBoundary(project, analysis, address(boundary.player), boundary.frame)
+                    : restoreBoundary(project, analysis, address(boundary.player), boundary.frame);
+    });
+}
+
+void Session::toggleCurrentBoundary() {
+    if (selection_) {
+        toggleBoundary(*selection_);
+        return;
+    }
+    const FighterAnalysis* found = fighter(activePlayer_);
+    if (found == nullptr) return;
+    const BoundaryMark* mark = nearestMark(marks(activePlayer_), shownFrame(activePlayer_),
+                                           kCorrectionReach * found->input.rate);
+    if (mark == nullptr) {
+        Q_EMIT hinted(tr("No boundary of %1 lies within 0.1 s of the playhead.")
+                          .arg(fighterText(activePlayer_)));
+        return;
+    }
+    toggleBoundary({activePlayer_, mark->frame});
+}
+
+void Session::addBoundaryAtPlayhead() {
+    if (fighter(activePlayer_) == nullptr) return;
+    const int player = activePlayer_;
+    const int frame = shownFrame(player);
+    const bool added = document_.apply([&](const Project& project, const Analysis& analysis) {
+        return addBoundary(project, analysis, address(player), frame);
+    });
+    if (added) select(BoundaryRef{player, frame});
+}
+
+void Session::moveBoundary(const BoundaryRef& boundary, int toFrame) {
+    const bool moved = document_.apply([&](const Project& project, const Analysis& analysis) {
+        return kumite::moveBoundary(project, analysis, address(boundary.player), boundary.frame,
+                                    toFrame);
+    });
+    if (moved) goTo({boundary.player, toFrame});
+}
+
+void Session::mergeAction(int direction) {
+    const int now = shownFrame(activePlayer_);
+    const BoundaryMark* between = nullptr;
+    for (const BoundaryMark& mark : marks(activePlayer_)) {
+        if (!mark.isLive() || !mark.isEditable()) continue;
+        if (direction < 0 && mark.frame <= now) between = &mark;
+        if (direction > 0 && mark.frame > now) {
+            between = &mark;
+            break;
+        }
+    }
+    if (between != nullptr) toggleBoundary({activePlayer_, between->frame});
+}
+
+void Session::stepFrames(int count) {
+    const FighterAnalysis* found = fighter(activePlayer_);
+    if (found == nullptr) return;
+    const int frame = frameAtTime(found->input, transport_.playhead()) + count;
+    transport_.setPlayhead(
+        timeOfFrame(found->input, std::clamp(frame, 0, found->frameCount() - 1)));
+    reveal(transport_.playhead());
+}
+
+void Session::stepBoundary(int direction) {
+    const FighterAnalysis* found = fighter(activePlayer_);
+    if (found == nullptr) return;
+    const int now = frameAtTime(found->input, transport_.playhead());
+    const BoundaryMark* next = nullptr;
+    for (const BoundaryMark& mark : marks(activePlayer_)) {
+        if (!mark.isLive()) continue;
+        if (direction > 0 && mark.frame > now) {
+            next = &mark;
+            break;
+        }
+        if (direction < 0 && mark.frame < now) next = &mark;
+    }
+    if (next == nullptr) return;
+    const BoundaryRef boundary{activePlayer_, next->frame};
+    if (next->isEditable()) {
+        goTo(boundary);
+    } else {
+        select(std::nullopt);
+        transport_.setPlayhead(timeOf(boundary));
+        reveal(transport_.playhead());
+    }
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,75 @@
+#include "studio/jobs/job_runner.h"
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+
+#include "core/base/error.h"
+
+namespace kumite::studio {
+
+JobRunner::JobRunner(QObject* parent) : QObject(parent) {}
+
+JobRunner::~JobRunner() {
+    for (Job& job : jobs_)
+        job.thread.request_stop();
+    jobs_.clear();
+}
+
+void JobRunner::cancel() {
+    if (!running_) return;
+    jobs_.back().thread.request_stop();
+    ++latest_;
+    running_ = false;
+    Q_EMIT finished();
+}
+
+void JobRunner::launch(const QString& title, std::function<Delivery(const Progress&)> work) {
+    for (Job& job : jobs_)
+        job.thread.request_stop();
+    const int number = ++latest_;
+    running_ = true;
+    Q_EMIT started(title);
+
+    auto run = [this, number, work = std::move(work)](std::stop_token stop) {
+        Progress progress;
+        progress.stop = stop;
+        auto shown = std::make_shared<std::atomic<int>>(0);
+        progress.report = [this, number, shown](double fraction) {
+            const int percent = static_cast<int>(fraction * 100);
+            if (shown->exchange(percent) == percent) return;
+            QMetaObject::invokeMethod(this, [this, number, fraction] {
+                if (number == latest_ && running_) Q_EMIT progressed(fraction);
+            });
+        };
+        Delivery delivery;
+        QString error;
+        try {
+            delivery = work(progress);
+        } catch (const Cancelled&) {
+            error.clear();
+        } catch (const std::bad_alloc&) {
+            error = tr("There is not enough memory for this.");
+        } catch (const std::exception& exception) {
+            error = QString::fromUtf8(exception.what());
+        }
+        QMetaObject::invokeMethod(
+            this, [this, number, delivery, error] { deliver(number, delivery, error); },
+            Qt::QueuedConnection);
+    };
+    jobs_.push_back({number, std::jthread(std::move(run))});
+}
+
+void JobRunner::deliver(int number, const Delivery& delivery, const QString& error) {
+    std::erase_if(jobs_, [number](const Job& job) { return job.number == number; });
+    if (number != latest_ || !running_) return;
+    running_ = false;
+    Q_EMIT finished();
+    if (delivery) {
+        delivery();
+    } else if (!error.isEmpty()) {
+        Q_EMIT failed(error);
+    }
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace kumite::studio {
+
+/// The lowest and highest value of a stretch of a curve.
+struct CurveExtent {
+    float low = 0;
+    float high = 0;
+};
+
+/// A curve with its minima and maxima over blocks of 2, 4, 8 … samples, so that the extent of any
+/// stretch is found in logarithmic time: no peak is lost at any zoom, and drawing does not depend
+/// on the curve's length.
+class CurvePyramid {
+public:
+    CurvePyramid() = default;
+    explicit CurvePyramid(std::span<const double> samples);
+
+    std::size_t size() const { return levels_.empty() ? 0 : levels_.front().size(); }
+    float at(std::size_t sample) const { return levels_.front()[sample].low; }
+    /// Over the samples [begin, end), which must not be empty.
+    CurveExtent extent(std::size_t begin, std::size_t end) const;
+    /// Over all samples; {0, 0} without any.
+    CurveExtent extent() const;
+
+private:
+    std::vector<std::vector<CurveExtent>> levels_;
+};
+
+}  // namespace kumite::studio

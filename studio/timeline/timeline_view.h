@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QPixmap>
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+#include "studio/app/session.h"
+#include "studio/timeline/time_mapping.h"
+#include "studio/timeline/track.h"
+
+namespace kumite::studio {
+
+/// The timeline: a ruler and one row per fighter with force curve, centre of mass, minima,
+/// boundaries and actions. Boundaries are selected by a click, dragged, removed and restored by a
+/// double-click or by the button that appears above them.
+class TimelineView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TimelineView(Session& session, QWidget* parent = nullptr);
+
+    TimeMapping mapping() const;
+    /// Where a boundary's line is, at the middle of its curve.
+    QPointF pointOf(const BoundaryRef& boundary) const;
+    /// The button that removes or restores a boundary while the pointer is near it.
+    QRectF handleOf(const BoundaryRef& boundary) const;
+    QRectF ruler() const;
+
+    QSize sizeHint() const override { return {800, 190}; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    enum class Gesture { None, Scrub, Pan, Press, Drag };
+    struct Dragged {
+        BoundaryRef boundary;
+        int frame = 0;  ///< where it would stand
+    };
+
+    void layOut();
+    void refresh();
+    void invalidate();
+    void paintStill(QPainter& painter);
+    void paintMoving(QPainter& painter);
+
+    int playerAt(double y) const;
+    std::optional<BoundaryRef> boundaryAt(const QPointF& position) const;
+    std::optional<BoundaryRef> handleAt(const QPointF& position) const;
+    const BoundaryMark* markOf(const BoundaryRef& boundary) const;
+    void scrubTo(double x);
+    void dragTo(double x, bool free);
+    int snapped(int player, double frame) const;
+    void endDrag(bool commit);
+    void hover(const QPointF& position);
+    QString describe(int player, double seconds) const;
+    void loopActionAt(int player, double seconds);
+
+    Session& session_;
+    std::vector<Track> tracks_;
+    QPixmap still_;
+    bool stillValid_ = false;
+    Gesture gesture_ = Gesture::None;
+    QPointF pressed_;
+    QPointF last_;
+    std::optional<QPointF> pointer_;
+    std::optional<BoundaryRef> hovered_;
+    std::optional<Dragged> dragged_;
+};
+
+}  // namespace kumite::studio

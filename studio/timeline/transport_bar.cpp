@@ -1,0 +1,91 @@
+#include "studio/timeline/transport_bar.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include <cmath>
+
+#include "studio/app/commands.h"
+#include "studio/app/session.h"
+#include "studio/app/words.h"
+
+namespace kumite::studio {
+
+TransportBar::TransportBar(Session& session, CommandTable& commands, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      time_(new QLabel(this)),
+      frame_(new QLabel(this)),
+      speed_(new QLabel(this)),
+      selection_(new QLabel(this)) {
+    setFixedHeight(30);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 2, 12, 2);
+    layout->setSpacing(2);
+    const auto addButton = [&](const char* command) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(commands.action(QLatin1String(command)));
+        button->setAccessibleName(button->defaultAction()->text());
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setIconSize({16, 16});
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        layout->addWidget(button);
+    };
+    for (const char* command : {"transport.begin", "transport.back", "transport.play",
+                                "transport.on", "transport.end", "transport.loop"}) {
+        addButton(command);
+    }
+    layout->addSpacing(10);
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() + 2);
+    time_->setFont(large);
+    time_->setMinimumWidth(QFontMetrics(large).horizontalAdvance(QStringLiteral("00:00.000")));
+    time_->setAccessibleName(tr("Time"));
+    layout->addWidget(time_);
+    layout->addSpacing(8);
+    frame_->setProperty("role", "second");
+    frame_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("frame %1").arg(88888)));
+    layout->addWidget(frame_);
+    layout->addSpacing(8);
+    speed_->setProperty("role", "second");
+    speed_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−0.10×")));
+    speed_->setToolTip(tr("Playback speed: - slower, + faster"));
+    layout->addWidget(speed_);
+    layout->addStretch(1);
+    selection_->setProperty("role", "second");
+    layout->addWidget(selection_);
+    connect(&session_.transport(), &Transport::moved, this, &TransportBar::showMoment);
+    connect(&session_.transport(), &Transport::stateChanged, this, &TransportBar::showState);
+    connect(&session_, &Session::takeChanged, this, &TransportBar::showMoment);
+    connect(&session_, &Session::activePlayerChanged, this, &TransportBar::showMoment);
+    connect(&session_, &Session::fightersChanged, this, &TransportBar::showMoment);
+    connect(&session_, &Session::selectionChanged, this, &TransportBar::showMoment);
+    showMoment();
+    showState();
+}
+
+void TransportBar::showMoment() {
+    time_->setText(timeText(session_.transport().shownTime()));
+    const int player = session_.activePlayer();
+    const FighterAnalysis* fighter = session_.fighter(player);
+    frame_->setText(fighter ? tr("frame %1").arg(session_.shownFrame(player)) : QString());
+    if (const auto& selected = session_.selection()) {
+        selection_->setText(
+            tr("selected: boundary of %1 at %2")
+                .arg(fighterText(selected->player), timeText(session_.timeOf(*selected))));
+    } else {
+        selection_->setText(fighter ? tr("active: %1").arg(fighterText(player)) : QString());
+    }
+}
+
+void TransportBar::showState() {
+    const double speed = session_.transport().speed();
+    const int decimals = std::abs(speed * 10 - std::round(speed * 10)) < 0.01 ? 1 : 2;
+    const QString size =
+        QString::number(std::abs(speed), 'f', speed == std::round(speed) ? 0 : decimals);
+    speed_->setText((speed < 0 ? QStringLiteral("−") : QString()) + size + QStringLiteral("×"));
+}
+
+}  // namespace kumite::studio
