@@ -29,6 +29,17 @@ struct Descriptor {
     }
 };
 
+/// False, with errno set, if not all could be written.
+bool writeAll(int file, std::string_view content) {
+    while (!content.empty()) {
+        const ssize_t written = ::write(file, content.data(), content.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) return false;
+        content.remove_prefix(static_cast<std::size_t>(written));
+    }
+    return true;
+}
+
 }  // namespace
 
 MappedFile::MappedFile(const std::filesystem::path& path) {
@@ -36,10 +47,14 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
     if (std::filesystem::is_directory(path, unknown)) {
         throw Error(path.string() + ": is a folder, expected a file.");
     }
-    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    // Without O_NONBLOCK the opening of a pipe that nobody writes would never return.
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
     if (file.number < 0) throw systemError("read", path);
     struct stat info {};
     if (::fstat(file.number, &info) != 0) throw systemError("read", path);
+    if (!S_ISREG(info.st_mode)) {
+        throw Error(path.string() + ": is no regular file; save it as one first.");
+    }
     size_ = static_cast<std::size_t>(info.st_size);
     if (size_ == 0) return;  // an empty file cannot be mapped
     void* data = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.number, 0);
@@ -55,8 +70,20 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
     // A link is followed: the file it points to is replaced, the link stays.
     std::filesystem::path target = path;
     if (std::filesystem::is_symlink(path)) target = std::filesystem::weakly_canonical(path);
-    std::filesystem::path temporary = target;
-    temporary += ".part-" + std::to_string(::getpid());
+    std::error_code unknown;
+    const auto kind = std::filesystem::status(target, unknown).type();
+    if (kind == std::filesystem::file_type::directory) {
+        throw Error(path.string() + ": is a folder, expected a file to write.");
+    }
+    const bool isSpecial = kind != std::filesystem::file_type::regular &&
+                           kind != std::filesystem::file_type::not_found;
+    if (isSpecial) {
+        const Descriptor file{::open(target.c_str(), O_WRONLY | O_CLOEXEC)};
+        if (file.number < 0 || !writeAll(file.number, content)) throw systemError("write", path);
+        return;
+    }
+    const std::filesystem::path temporary =
+        target.parent_path() / (".kumite-" + std::to_string(::getpid()) + ".part");
 
     const auto giveUp = [&](const std::string& what) {
         const Error error = systemError(what, path);
@@ -68,12 +95,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
         if (file.number < 0) throw systemError("write", path);
         struct stat old {};
         if (::stat(target.c_str(), &old) == 0) ::fchmod(file.number, old.st_mode & 0777);
-        while (!content.empty()) {
-            const ssize_t written = ::write(file.number, content.data(), content.size());
-            if (written < 0 && errno == EINTR) continue;
-            if (written < 0) throw giveUp("write");
-            content.remove_prefix(static_cast<std::size_t>(written));
-        }
+        if (!writeAll(file.number, content)) throw giveUp("write");
         if (::fsync(file.number) != 0) throw giveUp("write");
     }
     if (::rename(temporary.c_str(), target.c_str()) != 0) throw giveUp("write");
@@ -81,6 +103,15 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
     const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
     const Descriptor directory{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
     if (directory.number >= 0) ::fsync(directory.number);
+}
+
+void refuseToOverwrite(const std::filesystem::path& output,
+                       const std::vector<std::filesystem::path>& sources) {
+    for (const std::filesystem::path& source : sources) {
+        std::error_code notBoth;
+        if (!std::filesystem::equivalent(output, source, notBoth) || notBoth) continue;
+        throw Error(output.string() + ": is what is read here; write to another file.");
+    }
 }
 
 std::string sha256(std::string_view bytes) {

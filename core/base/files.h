@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kumite {
 
@@ -24,8 +25,14 @@ private:
 };
 
 /// Writes `content` so that a reader, or a crash at any moment, sees either the old file or the
-/// whole new one: a temporary file beside it, flushed to disk, renamed over it.
+/// whole new one: a temporary file beside it, flushed to disk, renamed over it. A link is followed;
+/// what is no regular file (a pipe, /dev/stdout) is written straight. Throws Error.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+
+/// Throws Error if `output` is one of the files that are read: a result must never replace its
+/// source.
+void refuseToOverwrite(const std::filesystem::path& output,
+                       const std::vector<std::filesystem::path>& sources);
 
 /// SHA-256 as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);

@@ -1,4 +1,5 @@
 #include "core/project/export.h"
+#include "core/base/files.h"
 #include "core/cli/command.h"
 
 namespace kumite::cli {
@@ -20,6 +21,7 @@ void addExport(CLI::App& app, Action& action) {
     command->callback([o, &action] {
         action = [o](const Streams& streams) {
             const OpenProject open = openProject(o->project, streams);
+            refuseToOverwrite(o->out, {o->project});
             const int take = fighterNamed(open.project, o->take, 1).take;
             for (const auto& file : exportTake(open.project, open.analysis, take, o->out)) {
                 streams.out << file.string() << "\n";

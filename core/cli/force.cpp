@@ -23,6 +23,9 @@ void addForce(CLI::App& app, Action& action) {
         action = [o](const Streams& streams) {
             const OpenProject open = openProject(o->project, streams);
             const FighterAddress fighter = fighterNamed(open.project, o->take, o->player);
+            std::vector<std::filesystem::path> sources = recordingFiles(open.project);
+            sources.emplace_back(o->project);
+            refuseToOverwrite(o->out, sources);
             writeFileAtomically(o->out, forceCsv(open.analysis.at(fighter)));
         };
     });

@@ -35,6 +35,7 @@ void addJoints(CLI::App& app, Action& action) {
             ReadOptions read;
             if (!o->asf.empty()) read.asf = o->asf;
             const Recording recording = readRecording(o->file, read, streams.progress("reading"));
+            refuseToOverwrite(o->out, {o->file, recording.asf});
             const auto motion = motionOfRoot(recording, o->root);
             if (frames.end < 0) frames.end = motion->frameCount;
             if (frames.end > motion->frameCount || frames.empty()) {

@@ -1,8 +1,9 @@
-#include <cmath>
 #include <numbers>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/cli/command.h"
 #include "core/cli/conventions.h"
@@ -66,7 +67,10 @@ public:
 
 private:
     std::string value(const std::string& option) {
-        if (at_ == words_.size()) throw UsageError(option + " needs a value.");
+        if (inlineValue_) return *std::exchange(inlineValue_, std::nullopt);
+        if (at_ == words_.size() || words_[at_].starts_with("--")) {
+            throw UsageError(option + " needs a value.");
+        }
         return words_[at_++];
     }
 
@@ -97,7 +101,16 @@ private:
         current.fighters.emplace_back().path = path;
     }
 
-    void option(const std::string& name) {
+    /// `--name value` or `--name=value`.
+    void option(const std::string& word) {
+        const auto equals = word.find('=');
+        const std::string name = word.substr(0, equals);
+        if (equals != std::string::npos) inlineValue_ = word.substr(equals + 1);
+        set(name);
+        if (inlineValue_) throw UsageError(name + " takes no value.");
+    }
+
+    void set(const std::string& name) {
         if (name == "--out") {
             out = value(name);
         } else if (name == "--body") {
@@ -106,6 +119,7 @@ private:
             takes.emplace_back().name = value(name);
         } else if (name == "--rate") {
             take(name).rate = number(name);
+            if (*take(name).rate <= 0) throw UsageError("--rate needs a number above 0.");
         } else if (name == "--trim") {
             take(name).trim = parseRange(value(name));
         } else if (name == "--offset") {
@@ -158,12 +172,13 @@ private:
 
     const std::vector<std::string>& words_;
     std::size_t at_ = 0;
+    std::optional<std::string> inlineValue_;
 };
 
 void keepOldVersion(const std::string& path, const Streams& streams) {
     if (!std::filesystem::exists(path)) return;
     const std::string kept = path + "~";
-    std::filesystem::copy_file(path, kept, std::filesystem::copy_options::overwrite_existing);
+    writeFileAtomically(kept, MappedFile(path).bytes());
     printFindings({note(path + " was there already; it is kept as " + kept + ".")}, streams);
 }
 
@@ -190,6 +205,7 @@ void addNew(CLI::App& app, Action& action) {
                 printFindings(imported.findings, streams);
                 edit = *addTake(edit.project, imported.take);
             }
+            refuseToOverwrite(parser.out, recordingFiles(edit.project));
             keepOldVersion(parser.out, streams);
             saveProject(edit.project, parser.out);
             streams.out << parser.out << "\n";

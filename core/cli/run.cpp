@@ -23,7 +23,6 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     app.footer(
         "Frames count from 0 at the first frame of the take; A:B is half-open.\n"
         "`kumite COMMAND --help` shows each command with an example.");
-    app.failure_message(CLI::FailureMessage::simple);
     Action action;
     addInfo(app, action);
     addJoints(app, action);
@@ -32,16 +31,28 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addSegment(app, action);
     addCorrect(app, action);
     addExport(app, action);
+    addRelink(app, action);
 
     try {
+        const bool isWord = !arguments.empty() && !arguments.front().starts_with("-");
+        const auto known = app.get_subcommands([](const CLI::App*) { return true; });
+        const bool exists = std::any_of(known.begin(), known.end(), [&](const CLI::App* command) {
+            return isWord && command->get_name() == arguments.front();
+        });
+        if (isWord && !exists) {
+            throw UsageError("There is no command \"" + arguments.front() +
+                             "\"; see kumite --help.");
+        }
         // The parser takes its arguments last first.
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error, out, err) == 0 ? 0 : kWrongUsage;
-    }
-    try {
         action({out, err, errIsTerminal});
+        out.flush();
+        if (!out) throw Error("The result could not be written to standard output.");
         return 0;
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error, out, err);  // --help, --version
+        err << "kumite: " << error.what() << "; see --help.\n";
+        return kWrongUsage;
     } catch (const UsageError& error) {
         err << "kumite: " << error.what() << "\n";
         return kWrongUsage;

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/base/text.h"
 #include "core/cli/command.h"
 #include "core/project/edits.h"
 #include "core/project/project_file.h"
@@ -8,7 +9,18 @@
 namespace kumite::cli {
 namespace {
 
+/// Accepts numbers above a bound, or from it on.
+std::function<std::string(const std::string&)> numberFrom(double bound, bool inclusive) {
+    return [bound, inclusive](const std::string& text) {
+        const auto value = parseNumber(text);
+        if (value && (inclusive ? *value >= bound : *value > bound)) return std::string();
+        return fmt::format("expected a number {} {:g}, not {}", inclusive ? "from" : "above", bound,
+                           text);
+    };
+}
+
 void printText(const OpenProject& open, const Streams& streams) {
+    if (open.project.takes.empty()) streams.out << "The project has no take yet.\n";
     for (std::size_t t = 0; t < open.project.takes.size(); ++t) {
         const Take& take = open.project.takes[t];
         for (std::size_t p = 0; p < take.fighters.size(); ++p) {
@@ -45,13 +57,17 @@ void addSegment(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "segment", "Minima of the contact force, boundaries and actions of all takes.");
     command->add_option("PROJECT", o->project, "a .kumite file")->required();
-    command->add_option("--cutoff", o->cutoff, "low-pass cutoff in Hz, for this run");
-    command->add_option("--prominence", o->prominence,
-                        "prominence that makes a minimum a boundary, body weights, for this run");
+    command->add_option("--cutoff", o->cutoff, "low-pass cutoff in Hz, for this run")
+        ->check(numberFrom(0, false));
+    command
+        ->add_option("--prominence", o->prominence,
+                     "prominence that makes a minimum a boundary, body weights, for this run")
+        ->check(numberFrom(0, true));
     command->add_flag("--save", o->save, "keep --cutoff and --prominence in the project");
-    command->add_flag("--json", o->json, "one JSON object on standard output");
-    command->add_flag("--csv", o->csv, "the actions as a table on standard output");
-    command->add_flag("--all-minima", o->all, "with --json: also minima below the threshold");
+    CLI::Option* json = command->add_flag("--json", o->json, "one JSON object on standard output");
+    command->add_flag("--csv", o->csv, "the actions as a table on standard output")->excludes(json);
+    command->add_flag("--all-minima", o->all, "with --json: also minima below the threshold")
+        ->needs(json);
     command->footer("Example: kumite segment bout.kumite --prominence 0.08 --json");
     command->callback([o, &action] {
         action = [o](const Streams& streams) {
@@ -64,6 +80,7 @@ void addSegment(CLI::App& app, Action& action) {
                 open.analysis = analyse(open.project, open.analysis);
                 if (o->save) saveProject(open.project, o->project);
             }
+            printFindings(smoothingFindings(open.project, open.analysis), streams);
             if (o->json) {
                 streams.out << segmentationJson(open.project, open.analysis, {{}, o->all});
             } else if (o->csv) {

@@ -2,13 +2,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
 
 #include "core/base/text.h"
 #include "core/formats/bvh.h"
+#include "core/motion/euler.h"
 #include "core/motion/kinematics.h"
 
 namespace kumite {
@@ -86,37 +85,11 @@ void appendHierarchy(std::string& text, const Skeleton& skeleton) {
     closeDownTo(-1);
 }
 
-/// Angles about z, y, x in degrees with R = Rz · Ry · Rx, of the two solutions (and whole turns)
-/// the one nearest to `before`, so that curves have no jumps. Where y is ±90° the other two turn
-/// about one axis (gimbal lock) and x keeps its value.
-Eigen::Vector3d nearestAngles(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& before) {
-    constexpr double kDegrees = 180.0 / std::numbers::pi;
-    constexpr double kLocked = 1e-12;
-    const double cosine = std::hypot(rotation(2, 1), rotation(2, 2));
-    const double x =
-        cosine < kLocked ? before.z() / kDegrees : std::atan2(rotation(2, 1), rotation(2, 2));
-    const double y = std::atan2(-rotation(2, 0), cosine);
-    // Without the turn about x, z is well determined at every y.
-    const Eigen::Matrix3d rest =
-        rotation * Eigen::AngleAxisd(-x, Eigen::Vector3d::UnitX()).toRotationMatrix();
-    const double z = std::atan2(-rest(0, 1), rest(1, 1));
-    Eigen::Vector3d first = kDegrees * Eigen::Vector3d(z, y, x);
-    Eigen::Vector3d second(first.x() + 180.0, 180.0 - first.y(), first.z() + 180.0);
-    for (Eigen::Vector3d* angles : {&first, &second}) {
-        for (int i = 0; i < 3; ++i) {
-            (*angles)[i] += 360.0 * std::round((before[i] - (*angles)[i]) / 360.0);
-        }
-    }
-    const double toFirst = (first - before).cwiseAbs().sum();
-    const double toSecond = (second - before).cwiseAbs().sum();
-    return toFirst <= toSecond ? first : second;
-}
-
 /// Writes the rows of a motion, converting the joints that need it.
 class RowWriter {
 public:
     explicit RowWriter(const Skeleton& skeleton)
-        : skeleton_(skeleton), angles_(skeleton.joints.size(), Eigen::Vector3d::Zero()) {
+        : skeleton_(skeleton), angles_(skeleton.joints.size()) {
         for (const Joint& joint : skeleton.joints) {
             converts_ = converts_ || needsConversion(joint);
         }
@@ -148,13 +121,13 @@ private:
             appendValue(text, values[static_cast<std::size_t>(joint.firstChannel) + c]);
         }
         if (!converts) return;
-        angles_[index] = nearestAngles(localRotation(joint, values), angles_[index]);
+        angles_[index] = eulerAngles(localRotation(joint, values), {2, 1, 0}, angles_[index]);
         for (const double angle : angles_[index])
             appendValue(text, angle);
     }
 
     const Skeleton& skeleton_;
-    std::vector<Eigen::Vector3d> angles_;  ///< of the row before, by joint
+    std::vector<std::array<double, 3>> angles_;  ///< of the row before, by joint
     bool converts_ = false;
 };
 

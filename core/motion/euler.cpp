@@ -33,7 +33,7 @@ std::array<double, 3> eulerAngles(const Eigen::Matrix3d& r, const std::array<int
     const double sine = std::clamp(sign * r(i, k), -1.0, 1.0);
     // Stable near ±90°, where the arc sine alone loses half of its digits.
     const double middle = std::atan2(sine, std::hypot(r(i, i), r(i, j)));
-    if (std::hypot(r(i, i), r(i, j)) < 1e-9) {
+    if (std::hypot(r(i, i), r(i, j)) < 1e-12) {
         const Eigen::Matrix3d rest = axisRotation(i, before[0]).transpose() * r;
         const Eigen::Matrix3d last = axisRotation(j, middle * kDegrees).transpose() * rest;
         const double third = std::atan2(-sign * last(i, j), last(i, i));

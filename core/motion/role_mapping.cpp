@@ -87,6 +87,16 @@ void setIfMissing(RoleMap& roles, Role role, std::optional<int> joint) {
     if (!roles.has(role) && joint) roles.set(role, *joint);
 }
 
+/// Takes over from the shape what the names left open, but no joint that has a role already.
+void fillGaps(RoleMap& roles, const RoleMap& shape) {
+    for (const Role role : allRoles()) {
+        const auto joint = shape[role];
+        const bool taken = std::any_of(allRoles().begin(), allRoles().end(),
+                                       [&](Role other) { return joint && roles[other] == joint; });
+        if (!taken) setIfMissing(roles, role, joint);
+    }
+}
+
 /// What follows from the limbs: trunk joints lie on the ways between them, and the last bone of a
 /// chain ends at its End Site.
 void completeFromTree(const Skeleton& skeleton, RoleMap& roles, Findings& findings) {
@@ -154,7 +164,10 @@ RoleMapping mapRoles(const Skeleton& skeleton) {
     }
     if (!hasBothLegs(mapping.roles) || !hasBothArms(mapping.roles)) {
         const RoleMap shape = rolesByTopology(skeleton);
-        if (hasBothLegs(shape) && hasBothArms(shape)) {
+        constexpr int kTelling = 6;  // roles by name, below which the names say nothing
+        if (mapping.roles.count() >= kTelling) {
+            fillGaps(mapping.roles, shape);
+        } else if (hasBothLegs(shape) && hasBothArms(shape)) {
             mapping.roles = shape;
             mapping.family = "topology";
             mapping.findings.push_back(warning(

@@ -29,6 +29,18 @@ std::string_view withoutNameSpace(std::string_view name) {
     return at == std::string_view::npos || at + 1 == name.size() ? name : name.substr(at + 1);
 }
 
+/// How many characters all names begin with.
+std::size_t commonPrefix(const std::vector<std::string>& names) {
+    if (names.size() < 2) return 0;
+    std::size_t length = names.front().size();
+    for (const std::string& name : names) {
+        const auto end =
+            std::mismatch(name.begin(), name.end(), names.front().begin(), names.front().end());
+        length = std::min(length, static_cast<std::size_t>(end.first - name.begin()));
+    }
+    return length;
+}
+
 }  // namespace
 
 const std::vector<NameFamily>& nameFamilies() {
@@ -153,6 +165,18 @@ const std::vector<NameFamily>& nameFamilies() {
           {LeftKnee, {"calf"}},
           {LeftAnkle, {"foot"}},
           {LeftToe, {"ball"}}}},
+        {"Rigify",  // Blender
+         {{Pelvis, {"hips", "torso", "spine"}},
+          {Neck, {"neck", "spine004"}},
+          {Head, {"head", "spine006"}},
+          {LeftClavicle, {"shoulder"}},
+          {LeftShoulder, {"upperarm"}},
+          {LeftElbow, {"forearm"}},
+          {LeftWrist, {"hand"}},
+          {LeftHip, {"thigh"}},
+          {LeftKnee, {"shin"}},
+          {LeftAnkle, {"foot"}},
+          {LeftToe, {"toe"}}}},
         {"SMPL",
          {{Pelvis, {"pelvis"}},
           {Neck, {"neck"}},
@@ -186,6 +210,14 @@ std::vector<std::string> plainJointNames(const std::vector<std::string_view>& na
         std::string text;
         std::copy_if(name.begin(), name.end(), std::back_inserter(text), isLetterOrDigit);
         plain.push_back(lowerCase(text));
+    }
+    // "mixamorigHips", "Bip01LThigh": a prefix without a separator shows as what all share.
+    const std::size_t common = commonPrefix(plain);
+    constexpr std::size_t kShortestPrefix = 3;
+    if (common >= kShortestPrefix) {
+        for (std::string& name : plain) {
+            if (name.size() > common) name.erase(0, common);
+        }
     }
     return plain;
 }

@@ -27,32 +27,9 @@ constexpr std::array<Unit, 7> kUnits = {{{"m", 1.0},
                                          {"foot", 0.3048},
                                          {"cmu", 0.0254 / 0.45}}};
 
-constexpr double kUsualLeg = 0.85;     // metres from hip to ankle of an adult
-constexpr double kShortestLeg = 0.55;  // outside these the unit is doubtful
-constexpr double kLongestLeg = 1.15;
-
-/// Length of the bones on the way from `ancestor` down to `joint`, file units.
-double boneLength(const Skeleton& skeleton, int ancestor, int joint) {
-    double length = 0;
-    for (; joint > ancestor; joint = skeleton.joints[static_cast<std::size_t>(joint)].parent) {
-        length += skeleton.joints[static_cast<std::size_t>(joint)].offset.norm();
-    }
-    return length;
-}
-
-/// Mean of both legs, hip to ankle, file units; 0 without legs.
-double legLengthInUnits(const Skeleton& skeleton, const RoleMap& roles) {
-    double sum = 0;
-    int legs = 0;
-    for (const bool left : {true, false}) {
-        const auto hip = roles[left ? LeftHip : RightHip];
-        const auto ankle = roles[left ? LeftAnkle : RightAnkle];
-        if (!hip || !ankle) continue;
-        sum += boneLength(skeleton, *hip, *ankle);
-        ++legs;
-    }
-    return legs > 0 ? sum / legs : 0;
-}
+constexpr double kUsualLeg = 0.85;    // metres from hip to ankle of an adult
+constexpr double kShortestLeg = 0.7;  // outside these the unit is doubtful
+constexpr double kLongestLeg = 1.1;
 
 const Unit& nearestUnit(double legInUnits) {
     const auto misfit = [&](const Unit& unit) {
@@ -75,14 +52,31 @@ JointPositions sampleFrames(const Motion& motion, int count) {
     return forwardKinematics(sample, sample.frames(), {1.0, UpAxis::Y});
 }
 
+/// Mean length of both legs, hip to knee to ankle, over sampled frames, in the unit of `sample`; 0
+/// without legs. Not from the offsets: position channels may hold the bones.
+double legLength(const JointPositions& sample, const RoleMap& roles) {
+    double sum = 0;
+    int legs = 0;
+    for (const bool left : {true, false}) {
+        const auto hip = roles[left ? LeftHip : RightHip];
+        const auto knee = roles[left ? LeftKnee : RightKnee];
+        const auto ankle = roles[left ? LeftAnkle : RightAnkle];
+        if (!hip || !knee || !ankle) continue;
+        for (int frame = 0; frame < sample.frameCount; ++frame) {
+            sum += (sample.at(frame, *knee) - sample.at(frame, *hip)).norm() +
+                   (sample.at(frame, *ankle) - sample.at(frame, *knee)).norm();
+        }
+        ++legs;
+    }
+    return legs > 0 ? sum / (legs * sample.frameCount) : 0;
+}
+
 /// The axis along which the body stands over its feet, in most frames.
-UpAxis findUpAxis(const Motion& motion, const RoleMap& roles, Findings& findings) {
+UpAxis findUpAxis(const JointPositions& sample, const RoleMap& roles, Findings& findings) {
     const auto top = roles.has(Neck) ? roles[Neck] : roles[Pelvis];
     const auto left = roles[LeftAnkle];
     const auto right = roles[RightAnkle];
     if (!top || !left || !right) return UpAxis::Y;
-    constexpr int kSamples = 64;
-    const JointPositions sample = sampleFrames(motion, kSamples);
     Eigen::Vector3f sum = Eigen::Vector3f::Zero();
     for (int frame = 0; frame < sample.frameCount; ++frame) {
         sum += sample.at(frame, *top) - 0.5f * (sample.at(frame, *left) + sample.at(frame, *right));
@@ -100,32 +94,38 @@ UpAxis findUpAxis(const Motion& motion, const RoleMap& roles, Findings& findings
     return up;
 }
 
-/// How far joints move between a frame and the next, the root's own motion left out: the mean
-/// over the joints in units of the leg (or, without one, of the skeleton's extent).
-std::vector<double> poseSteps(const JointPositions& positions) {
-    std::vector<double> steps;
-    for (int frame = 0; frame + 1 < positions.frameCount; ++frame) {
-        const Eigen::Vector3f shift = positions.at(frame + 1, 0) - positions.at(frame, 0);
-        double sum = 0;
-        for (int joint = 1; joint < positions.jointCount; ++joint) {
-            sum += (positions.at(frame + 1, joint) - positions.at(frame, joint) - shift).norm();
-        }
-        steps.push_back(sum / std::max(1, positions.jointCount - 1));
+/// How far joints move between a frame and the next, the pelvis' own shift left out: the mean over
+/// the joints, in the unit of `positions`.
+double poseStep(const JointPositions& positions, int frame, int pelvis) {
+    const Eigen::Vector3f shift = positions.at(frame + 1, pelvis) - positions.at(frame, pelvis);
+    double sum = 0;
+    for (int joint = 0; joint < positions.jointCount; ++joint) {
+        sum += (positions.at(frame + 1, joint) - positions.at(frame, joint) - shift).norm();
     }
-    return steps;
+    return sum / positions.jointCount;
 }
 
-/// Mean distance of a pose's joints from where they are with all rotations zero, both seen from
-/// the root; in the unit of `positions`.
-double distanceFromRest(const JointPositions& positions, int frame, const Skeleton& skeleton,
-                        double unit) {
+/// How much the distances between the joints that have roles differ from those with all rotations
+/// zero: the mean over all pairs, in the unit of `positions`. Where the body stands and which way
+/// it faces does not matter.
+double differenceFromRest(const JointPositions& positions, int frame, const Skeleton& skeleton,
+                          const RoleMap& roles, double unit) {
     const std::vector<Eigen::Vector3d> rest = skeleton.restPositions();
     double sum = 0;
-    for (int joint = 1; joint < positions.jointCount; ++joint) {
-        const Eigen::Vector3f own = positions.at(frame, joint) - positions.at(frame, 0);
-        sum += (own.cast<double>() - unit * rest[static_cast<std::size_t>(joint)]).norm();
+    int pairs = 0;
+    for (const Role a : allRoles()) {
+        for (const Role b : allRoles()) {
+            if (b >= a || !roles.has(a) || !roles.has(b)) continue;
+            const double now =
+                (positions.at(frame, *roles[a]) - positions.at(frame, *roles[b])).norm();
+            const double then = unit * (rest[static_cast<std::size_t>(*roles[a])] -
+                                        rest[static_cast<std::size_t>(*roles[b])])
+                                           .norm();
+            sum += std::abs(now - then);
+            ++pairs;
+        }
     }
-    return sum / std::max(1, positions.jointCount - 1);
+    return pairs > 0 ? sum / pairs : 0;
 }
 
 double medianOf(std::vector<double> values) {
@@ -137,31 +137,39 @@ double medianOf(std::vector<double> values) {
 /// A rest pose before the motion shows as frames that stand still and then a jump far beyond what
 /// the motion after it does in one frame. Filtered data smears the jump over some frames: there
 /// the pose itself must be the skeleton's rest pose, else filtered motion would be taken for one.
-int findLeadingRest(const Motion& motion, double legInUnits) {
-    constexpr int kWindow = 240;       // frames looked at
+int findLeadingRest(const Motion& motion, const RoleMap& roles, double legInUnits) {
+    constexpr int kWindow = 240;       // frames looked at in one go
     constexpr double kStill = 1e-3;    // of a leg: sensor noise
     constexpr double kJump = 0.04;     // of a leg, mean over all joints
     constexpr double kTimesUsual = 8;  // the jump against the median step after it
     constexpr double kTimesNext = 3;   // the jump against the next step: not smeared
     constexpr double kNearRest = 0.1;  // of a leg
-    const FrameRange look{0, std::min(kWindow, motion.frameCount)};
     const double unit = 1.0 / legInUnits;
-    const JointPositions positions = forwardKinematics(motion, look, {unit, UpAxis::Y});
-    const std::vector<double> steps = poseSteps(positions);
-    for (std::size_t i = 0; i + 4 < steps.size(); ++i) {
-        const double usual =
-            medianOf({steps.begin() + static_cast<std::ptrdiff_t>(i) + 1, steps.end()});
-        const bool jumps = steps[i] > kJump && steps[i] > kTimesUsual * usual;
-        if (jumps) {
-            const int frame = static_cast<int>(i);
-            const bool sharp = steps[i] > kTimesNext * steps[i + 1];
-            const bool atRest =
-                distanceFromRest(positions, frame, *motion.skeleton, unit) < kNearRest;
-            return sharp || atRest ? frame + 1 : 0;
+    const int pelvis = roles[Pelvis].value_or(0);
+    const auto look = [&](int begin) {
+        const FrameRange frames{begin, std::min(begin + kWindow, motion.frameCount)};
+        return forwardKinematics(motion, frames, {unit, UpAxis::Y});
+    };
+    // The first step that is no standing still, however long that lasts.
+    std::optional<int> jump;
+    for (int begin = 0; begin + 1 < motion.frameCount && !jump; begin += kWindow - 1) {
+        const JointPositions positions = look(begin);
+        for (int i = 0; i + 1 < positions.frameCount && !jump; ++i) {
+            if (poseStep(positions, i, pelvis) > kStill) jump = begin + i;
         }
-        if (steps[i] > kStill) return 0;
     }
-    return 0;
+    if (!jump) return 0;
+    const JointPositions positions = look(*jump);
+    std::vector<double> after;
+    for (int i = 1; i + 1 < positions.frameCount; ++i) {
+        after.push_back(poseStep(positions, i, pelvis));
+    }
+    if (after.size() < 4) return 0;
+    const double step = poseStep(positions, 0, pelvis);
+    if (step < kJump || step < kTimesUsual * medianOf(after)) return 0;
+    const bool sharp = step > kTimesNext * after.front();
+    const bool atRest = differenceFromRest(positions, 0, *motion.skeleton, roles, unit) < kNearRest;
+    return sharp || atRest ? *jump + 1 : 0;
 }
 
 }  // namespace
@@ -189,7 +197,9 @@ Survey surveyMotion(const Motion& motion, const SurveyOverrides& overrides) {
     survey.findings = survey.roles.findings;
     const RoleMap& roles = survey.roles.roles;
 
-    const double leg = legLengthInUnits(*motion.skeleton, roles);
+    constexpr int kSamples = 64;
+    const JointPositions sample = sampleFrames(motion, kSamples);
+    const double leg = legLength(sample, roles);
     const auto found = leg > 0 ? std::optional(nearestUnit(leg)) : std::nullopt;
     survey.space.metresPerUnit = overrides.metresPerUnit.value_or(found ? found->metres : 0.01);
     survey.unitName = unitNameOf(survey.space.metresPerUnit);
@@ -203,9 +213,9 @@ Survey surveyMotion(const Motion& motion, const SurveyOverrides& overrides) {
             warning(fmt::format("The legs would be {} m long: is the unit ({}) right?",
                                 fixed(survey.legLength, 2), survey.unitName)));
     }
-    survey.space.up = overrides.up ? *overrides.up : findUpAxis(motion, roles, survey.findings);
+    survey.space.up = overrides.up ? *overrides.up : findUpAxis(sample, roles, survey.findings);
     survey.rate = overrides.rate.value_or(rateOf(motion.frameTime));
-    if (leg > 0) survey.leadingRestFrames = findLeadingRest(motion, leg);
+    if (leg > 0) survey.leadingRestFrames = findLeadingRest(motion, roles, leg);
     if (survey.leadingRestFrames > 0) {
         survey.findings.push_back(note(
             survey.leadingRestFrames == 1

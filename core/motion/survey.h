@@ -16,7 +16,7 @@ struct Survey {
     SpaceConvention space;
     std::string unitName;       ///< "cm", "m", "inch", "cmu", …
     double legLength = 0;       ///< hip to ankle along the bones, metres; 0 without legs
-    double rate = 0;            ///< Hz, from the header
+    double rate = 0;            ///< Hz, from the header unless overridden
     int leadingRestFrames = 0;  ///< frames of a T-pose or other rest pose before the motion
     Findings findings;
 };

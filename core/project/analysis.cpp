@@ -11,7 +11,8 @@ namespace {
 std::shared_ptr<const FighterMotion> deriveMotion(const Fighter& fighter,
                                                   const Progress& progress) {
     auto motion = std::make_shared<FighterMotion>();
-    motion->positions = forwardKinematics(*fighter.motion, fighter.frames, fighter.space, progress);
+    motion->positions =
+        forwardKinematics(*fighter.motion, framesOf(fighter), fighter.space, progress);
     return motion;
 }
 
@@ -174,7 +175,7 @@ double timeOfFrame(const Fighter& fighter, int frame) {
 }
 
 int frameAtTime(const Fighter& fighter, double seconds) {
-    const int last = std::max(0, fighter.frames.size() - 1);
+    const int last = std::max(0, framesOf(fighter).size() - 1);
     const double frame = std::round((seconds - fighter.offset) * fighter.rate);
     return static_cast<int>(std::clamp(frame, 0.0, static_cast<double>(last)));
 }
@@ -184,7 +185,8 @@ TimeSpan timeSpan(const Take& take) {
     TimeSpan span{take.fighters.front().offset, take.fighters.front().offset};
     for (const Fighter& fighter : take.fighters) {
         span.begin = std::min(span.begin, fighter.offset);
-        span.end = std::max(span.end, timeOfFrame(fighter, std::max(0, fighter.frames.size() - 1)));
+        span.end =
+            std::max(span.end, timeOfFrame(fighter, std::max(0, framesOf(fighter).size() - 1)));
     }
     return span;
 }

@@ -29,8 +29,8 @@ struct FighterForce {
 };
 
 /// All derived values of one fighter. Null stages: the recording is missing.
-/// Stages are shared between one analysis and the next as long as their inputs stay equal, so
-/// that a pointer that did not change means values that did not change.
+/// Stages (but for the suspicion, which is always new) are shared between one analysis and the next
+/// as long as their inputs stay equal, so that an unchanged pointer means unchanged values.
 struct FighterAnalysis {
     Fighter input;  ///< what the values were made from
     std::shared_ptr<const FighterMotion> motion;

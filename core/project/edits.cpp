@@ -134,14 +134,26 @@ MaybeEdit setRole(const Project& project, FighterAddress address, Role role,
 MaybeEdit relinkRecording(const Project& project, FighterAddress address,
                           const RecordingRef& recording, std::shared_ptr<const Motion> motion) {
     const Fighter& fighter = fighterAt(project, address);
+    if (fighter.motion && fighter.recording == recording) return std::nullopt;
     if (motion->frameCount < fighter.frames.end) {
         throw Error(
             fmt::format("{} holds {} frames, but the take reaches to frame {}: it is not "
                         "the recording that is missing.",
                         recording.path.string(), motion->frameCount, fighter.frames.end));
     }
+    const auto nameIn = [](const Motion& where, int joint) {
+        const auto& joints = where.skeleton->joints;
+        const auto index = static_cast<std::size_t>(joint);
+        return index < joints.size() ? joints[index].name : std::string();
+    };
     for (const Role role : allRoles()) {
-        if (fighter.roles[role].value_or(-1) < motion->skeleton->jointCount()) continue;
+        const auto joint = fighter.roles[role];
+        if (!joint) continue;
+        const auto known = fighter.roleNames.find(role);
+        const std::string was = fighter.motion                     ? nameIn(*fighter.motion, *joint)
+                                : known != fighter.roleNames.end() ? known->second
+                                                                   : std::string();
+        if (nameIn(*motion, *joint) == was) continue;
         throw Error(recording.path.string() +
                     " has another skeleton: it is not the recording that is missing.");
     }
@@ -149,6 +161,7 @@ MaybeEdit relinkRecording(const Project& project, FighterAddress address,
                          [&](Fighter& changed) {
                              changed.recording = recording;
                              changed.motion = std::move(motion);
+                             changed.roleNames.clear();
                          });
 }
 

@@ -1,6 +1,9 @@
 #include "core/project/export.h"
 
+#include <algorithm>
 #include <array>
+#include <numbers>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -12,70 +15,107 @@
 namespace kumite {
 namespace {
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
-/// Columns of a root's three position and three rotation channels.
-struct RootChannels {
-    std::array<int, 3> position{-1, -1, -1};  ///< by axis
-    std::array<int, 3> rotation{};            ///< in the order of the matrix product
+/// The channels that a placement rewrites: those of the first joint, from the root down, that has
+/// all positions and rotations. Only helper joints with one child stand above it.
+struct PlacedJoint {
+    int joint = 0;
+    std::array<int, 3> position{-1, -1, -1};  ///< columns, by axis
+    std::array<int, 3> rotation{};            ///< columns, in the order of the matrix product
     std::array<int, 3> order{};               ///< axes of `rotation`
 };
 
-RootChannels rootChannels(const Skeleton& skeleton) {
-    const Joint& root = skeleton.joints.front();
-    RootChannels found;
+std::optional<PlacedJoint> completeChannels(const Skeleton& skeleton, int index) {
+    const Joint& joint = skeleton.joints[static_cast<std::size_t>(index)];
+    PlacedJoint found;
+    found.joint = index;
     std::size_t rotations = 0;
-    int column = root.firstChannel;
-    for (const Channel channel : root.channels) {
-        if (isRotation(channel) && rotations < 3) {
+    int column = joint.firstChannel;
+    for (const Channel channel : joint.channels) {
+        if (!isRotation(channel)) {
+            found.position[static_cast<std::size_t>(axisOf(channel))] = column;
+        } else if (rotations < 3) {
             found.rotation[rotations] = column;
             found.order[rotations++] = axisOf(channel);
-        } else if (!isRotation(channel)) {
-            found.position[static_cast<std::size_t>(axisOf(channel))] = column;
         }
         ++column;
     }
-    const bool complete = rotations == 3 && found.position[0] >= 0 && found.position[1] >= 0 &&
-                          found.position[2] >= 0;
-    if (!complete) {
-        throw Error("The root " + root.name +
-                    " cannot be placed: it lacks position or rotation channels. Export without a "
-                    "placement.");
-    }
-    return found;
+    const bool complete =
+        rotations == 3 && std::count(found.position.begin(), found.position.end(), -1) == 0;
+    return complete ? std::optional(found) : std::nullopt;
 }
 
-/// The motion with its root turned and shifted; every other channel as it was.
+PlacedJoint placedJoint(const Skeleton& skeleton) {
+    int joint = 0;
+    for (;;) {
+        if (const auto found = completeChannels(skeleton, joint)) return *found;
+        const std::vector<int> children = skeleton.childrenOf(joint);
+        if (children.size() != 1) break;
+        joint = children.front();
+    }
+    throw Error(
+        "The placement cannot be written: neither the root nor a joint right below it has "
+        "all position and rotation channels.");
+}
+
+/// Where a joint's parent stands, in the file's axes and units.
+struct Transform {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();
+};
+
+Transform parentTransform(const Motion& motion, int frame, int joint) {
+    const Joint& own = motion.skeleton->joints[static_cast<std::size_t>(joint)];
+    if (own.parent < 0) return {};
+    const Joint& parent = motion.skeleton->joints[static_cast<std::size_t>(own.parent)];
+    Transform above = parentTransform(motion, frame, own.parent);
+    const auto row = motion.frame(frame);
+    Eigen::Vector3d offset = parent.offset;
+    for (std::size_t c = 0; c < parent.channels.size(); ++c) {
+        if (isRotation(parent.channels[c])) continue;
+        offset[axisOf(parent.channels[c])] = row[static_cast<std::size_t>(parent.firstChannel) + c];
+    }
+    above.position += above.rotation * offset;
+    above.rotation = above.rotation * localRotation(parent, row);
+    return above;
+}
+
+/// The motion turned and shifted as a whole; only one joint's channels change.
 Motion placedMotion(const Fighter& fighter) {
     Motion motion = *fighter.motion;
     if (fighter.placement == Placement{}) return motion;
-    const Skeleton& skeleton = *motion.skeleton;
-    const RootChannels root = rootChannels(skeleton);
+    const PlacedJoint placed = placedJoint(*motion.skeleton);
+    const Joint& joint = motion.skeleton->joints[static_cast<std::size_t>(placed.joint)];
     const bool zUp = fighter.space.up == UpAxis::Z;
     const double unit = fighter.space.metresPerUnit;
     // The turn about the vertical and the shift, in the file's own axes and units.
-    const Eigen::Matrix3d turn = axisRotation(zUp ? 2 : 1, fighter.placement.yaw * kDegrees);
+    const Eigen::Matrix3d turn =
+        axisRotation(zUp ? 2 : 1, fighter.placement.yaw * 180.0 / std::numbers::pi);
     const Eigen::Vector3d shift =
         zUp ? Eigen::Vector3d(fighter.placement.x / unit, -fighter.placement.z / unit, 0)
             : Eigen::Vector3d(fighter.placement.x / unit, 0, fighter.placement.z / unit);
-    const auto width = static_cast<std::size_t>(skeleton.channelCount);
-    const Eigen::Matrix3d& frameOfRoot = skeleton.joints.front().rotationFrame;
+    const auto width = static_cast<std::size_t>(motion.skeleton->channelCount);
     std::array<double, 3> before{};
     for (int frame = 0; frame < motion.frameCount; ++frame) {
+        const Transform parent = parentTransform(motion, frame, placed.joint);
         double* row = motion.channels.data() + width * static_cast<std::size_t>(frame);
-        const auto at = [&](int column) -> double& { return row[column]; };
-        Eigen::Vector3d position(at(root.position[0]), at(root.position[1]), at(root.position[2]));
-        position = turn * position + shift;
-        const Eigen::Matrix3d rotation =
-            turn * localRotation(skeleton.joints.front(), motion.frame(frame));
-        if (frame == 0) {
-            for (std::size_t i = 0; i < 3; ++i)
-                before[i] = at(root.rotation[i]);
+        Eigen::Vector3d position;
+        for (int axis = 0; axis < 3; ++axis) {
+            position[axis] = row[placed.position[static_cast<std::size_t>(axis)]];
         }
-        before = eulerAngles(frameOfRoot.transpose() * rotation * frameOfRoot, root.order, before);
+        // New local transform = parent⁻¹ · placement · parent · old local transform.
+        position =
+            (parent.rotation.transpose() *
+             (turn * (parent.position + parent.rotation * position) + shift - parent.position))
+                .eval();
+        const Eigen::Matrix3d rotation = parent.rotation.transpose() * turn * parent.rotation *
+                                         localRotation(joint, motion.frame(frame));
+        for (std::size_t i = 0; i < 3 && frame == 0; ++i)
+            before[i] = row[placed.rotation[i]];
+        before = eulerAngles(joint.rotationFrame.transpose() * rotation * joint.rotationFrame,
+                             placed.order, before);
         for (std::size_t i = 0; i < 3; ++i) {
-            at(root.position[i]) = position[static_cast<Eigen::Index>(i)];
-            at(root.rotation[i]) = before[i];
+            row[placed.position[i]] = position[static_cast<Eigen::Index>(i)];
+            row[placed.rotation[i]] = before[i];
         }
     }
     return motion;
@@ -93,6 +133,8 @@ std::filesystem::path playerFile(const std::filesystem::path& file, std::size_t 
 std::vector<std::filesystem::path> exportTake(const Project& project, const Analysis& analysis,
                                               int take, const std::filesystem::path& file) {
     const std::string suffix = lowerCase(file.extension().string());
+    const std::vector<std::filesystem::path> sources = recordingFiles(project);
+    refuseToOverwrite(file, sources);
     if (suffix == ".csv") {
         writeFileAtomically(file, actionsCsv(project, analysis, take));
         return {file};
@@ -118,8 +160,9 @@ std::vector<std::filesystem::path> exportTake(const Project& project, const Anal
         const double header = fighter.motion->frameTime;
         const double frameTime = rateOf(header) == fighter.rate ? header : 1.0 / fighter.rate;
         written.push_back(playerFile(file, player));
+        refuseToOverwrite(written.back(), sources);
         writeFileAtomically(written.back(),
-                            bvhText(placedMotion(fighter), fighter.frames, frameTime));
+                            bvhText(placedMotion(fighter), framesOf(fighter), frameTime));
     }
     return written;
 }

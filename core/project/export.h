@@ -10,7 +10,8 @@ namespace kumite {
 /// Writes a take by the file's suffix and returns what was written:
 /// `.csv` its actions; `.json` its segmentation with minima and corrections; `.bvh` one file per
 /// player, `-1` and `-2` before the suffix, with the joints and channels that came in, at the
-/// rate and trim of the take. A placement moves the root; every other channel stays bit for bit.
+/// rate and trim of the take. A placement moves the root (or the first joint
+/// below it that can move); every other channel stays bit for bit.
 /// Throws Error, also for a suffix that is not known or a recording that is missing.
 std::vector<std::filesystem::path> exportTake(const Project& project, const Analysis& analysis,
                                               int take, const std::filesystem::path& file);

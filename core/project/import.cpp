@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/project/json_text.h"
 #include "core/project/recordings.h"
 
 namespace kumite {
@@ -26,15 +27,24 @@ int namedJoint(const Skeleton& skeleton, const std::string& name, const std::str
     throw Error(file + ": there is no joint named \"" + name + "\"; there is: " + known + ".");
 }
 
+/// A path that a project file can hold: absolute, links resolved, and text.
+std::filesystem::path storable(const std::filesystem::path& path) {
+    const std::filesystem::path canonical = std::filesystem::weakly_canonical(path);
+    if (asStored(canonical.string()) != canonical.string()) {
+        throw Error(canonical.string() +
+                    ": the name holds bytes that are no UTF-8 text; rename the file or folder.");
+    }
+    return canonical;
+}
+
 Candidate makeCandidate(const FighterRequest& request, const Recording& recording,
                         std::optional<double> rate) {
     Candidate candidate;
     Fighter& fighter = candidate.fighter;
     fighter.motion = motionOfRoot(recording, request.root);
-    fighter.recording = {
-        std::filesystem::absolute(request.path).lexically_normal(),
-        recording.asf.empty() ? recording.asf : std::filesystem::absolute(recording.asf),
-        recording.sha256, request.root};
+    fighter.recording = {storable(request.path),
+                         recording.asf.empty() ? recording.asf : storable(recording.asf),
+                         recording.sha256, request.root};
     candidate.survey = surveyMotion(*fighter.motion, {request.metresPerUnit, request.up, rate});
     fighter.space = candidate.survey.space;
     fighter.rate = candidate.survey.rate;
@@ -50,7 +60,8 @@ Candidate makeCandidate(const FighterRequest& request, const Recording& recordin
 }
 
 /// Frames of each file that belong to the take.
-void chooseFrames(std::vector<Candidate>& candidates, const std::optional<FrameRange>& trim) {
+void chooseFrames(std::vector<Candidate>& candidates, const std::optional<FrameRange>& trim,
+                  Findings& findings) {
     if (trim) {
         int longest = 0;
         for (const Candidate& c : candidates) {
@@ -66,6 +77,11 @@ void chooseFrames(std::vector<Candidate>& candidates, const std::optional<FrameR
                                 trim->end < 0 ? std::string() : std::to_string(trim->end), count));
             }
             c.fighter.frames = {trim->begin, end};
+            if (trim->end > count) {
+                findings.push_back(warning(
+                    fmt::format("{}: holds {} frames only; the take ends there for this fighter.",
+                                c.fighter.recording.path.filename().string(), count)));
+            }
         }
         return;
     }
@@ -89,6 +105,9 @@ void chooseFrames(std::vector<Candidate>& candidates, const std::optional<FrameR
 ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
     if (request.fighters.empty() || request.fighters.size() > 2) {
         throw Error("A take is made of one or two recordings.");
+    }
+    if (asStored(request.name) != request.name) {
+        throw Error("The take's name holds bytes that are no UTF-8 text.");
     }
     if (request.rate && !(*request.rate >= 1 && *request.rate <= 10000)) {
         throw Error("A frame rate lies between 1 and 10000 Hz.");
@@ -115,7 +134,7 @@ ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
             imported.findings.push_back({finding.severity, file + finding.text});
         }
     }
-    chooseFrames(candidates, request.trim);
+    chooseFrames(candidates, request.trim, imported.findings);
     if (candidates.size() == 2 && candidates[0].fighter.rate != candidates[1].fighter.rate) {
         imported.findings.push_back(
             warning(fmt::format("The recordings run at {:g} and {:g} Hz; each keeps its own rate.",

@@ -46,6 +46,10 @@ std::string prettyJson(const Json& json) {
     return text + "\n";
 }
 
+std::string asStored(const std::string& text) {
+    return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 Json parseJson(std::string_view text, const std::string& name) {
     try {
         return Json::parse(text);
@@ -57,6 +61,8 @@ Json parseJson(std::string_view text, const std::string& name) {
             newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
         throw InputError(name, static_cast<int>(line), static_cast<int>(column),
                          "is not valid JSON here.");
+    } catch (const Json::exception&) {
+        throw InputError(name, 0, 0, "holds a number that is too large.");
     }
 }
 
@@ -66,7 +72,7 @@ JsonReader JsonReader::operator[](const std::string& key) const {
 }
 
 JsonReader JsonReader::at(std::size_t index) const {
-    if (index >= size()) throw error("expected more than " + std::to_string(size()) + " entries");
+    if (index >= size()) throw error("expected at least " + std::to_string(index + 1) + " entries");
     return {json_.at(index), file_, place_ + "[" + std::to_string(index) + "]"};
 }
 

@@ -13,6 +13,9 @@ namespace kumite {
 /// JSON as people like to read it: short arrays and objects on one line, two spaces a level.
 std::string prettyJson(const nlohmann::ordered_json& json);
 
+/// The text as a file would give it back: bytes that are no UTF-8 become U+FFFD.
+std::string asStored(const std::string& text);
+
 /// Parses JSON; throws InputError with line and column. `name` is used in messages.
 nlohmann::ordered_json parseJson(std::string_view text, const std::string& name);
 

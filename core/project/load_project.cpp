@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/project/json_text.h"
 #include "core/project/project_file.h"
 #include "core/project/recordings.h"
 
@@ -14,13 +15,11 @@ namespace {
 /// Files looked at when a recording is searched: enough for a bout's folders, not for a disk.
 constexpr int kMostFiles = 5000;
 
-/// A file below `folder` with the wanted content, first of all one of the old name.
-std::optional<std::filesystem::path> findByContent(const std::filesystem::path& folder,
-                                                   const RecordingRef& wanted) {
-    // An .amc's hash covers two files, so it cannot be searched by content.
-    if (wanted.sha256.empty() || !wanted.asf.empty()) return std::nullopt;
-    const std::string suffix = lowerCase(wanted.path.extension().string());
-    std::vector<std::filesystem::path> candidates;
+/// Files below `folder` with the suffix of `wanted`, those of its name first, then by name.
+std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folder,
+                                              const std::filesystem::path& wanted) {
+    const std::string suffix = lowerCase(wanted.extension().string());
+    std::vector<std::filesystem::path> files;
     std::error_code error;
     int seen = 0;
     using Walk = std::filesystem::recursive_directory_iterator;
@@ -28,45 +27,62 @@ std::optional<std::filesystem::path> findByContent(const std::filesystem::path& 
     for (Walk it(folder, kSkip, error), end; !error && it != end && seen < kMostFiles;
          it.increment(error), ++seen) {
         if (it->is_regular_file(error) && lowerCase(it->path().extension().string()) == suffix) {
-            candidates.push_back(it->path());
+            files.push_back(it->path());
         }
     }
-    std::sort(candidates.begin(), candidates.end());
-    std::stable_partition(candidates.begin(), candidates.end(), [&](const auto& path) {
-        return path.filename() == wanted.path.filename();
-    });
-    for (const auto& path : candidates) {
-        try {
-            if (sha256(MappedFile(path).bytes()) == wanted.sha256) return path;
-        } catch (const Error&) {
-            // Unreadable: not the one.
-        }
-    }
-    return std::nullopt;
+    std::sort(files.begin(), files.end());
+    std::stable_partition(files.begin(), files.end(),
+                          [&](const auto& path) { return path.filename() == wanted.filename(); });
+    return files;
 }
 
+/// SHA-256 as the recording has it: of the skeleton's bytes, if there is one, and the motion's.
+std::string hashOf(const std::filesystem::path& asf, const std::filesystem::path& path) {
+    try {
+        const MappedFile motion(path);
+        if (asf.empty()) return sha256(motion.bytes());
+        return sha256(std::string(MappedFile(asf).bytes()).append(motion.bytes()));
+    } catch (const Error&) {
+        return {};  // unreadable: not the one
+    }
+}
+
+/// Finds a recording that is not where the project says by its content, in the project's folder
+/// and below.
 void locate(RecordingRef& recording, const std::filesystem::path& folder, Findings& findings) {
-    if (std::filesystem::exists(recording.path)) return;
-    const auto found = findByContent(folder, recording);
-    if (!found) return;
-    findings.push_back(
-        note(fmt::format("{} was not where the project says; the same recording was "
-                         "found at {}.",
-                         recording.path.string(), found->string())));
-    recording.path = *found;
+    const bool hasAsf = !recording.asf.empty();
+    const bool isThere = std::filesystem::exists(recording.path) &&
+                         (!hasAsf || std::filesystem::exists(recording.asf));
+    if (isThere || recording.path.empty()) return;
+    const auto skeletons = hasAsf ? filesBelow(folder, recording.asf)
+                                  : std::vector<std::filesystem::path>{std::filesystem::path()};
+    for (const auto& path : filesBelow(folder, recording.path)) {
+        for (const auto& asf : skeletons) {
+            if (hashOf(asf, path) != recording.sha256) continue;
+            findings.push_back(note(fmt::format(
+                "{} was not where the project says; the same recording was found at {}.",
+                recording.path.string(), path.string())));
+            recording.path = path;
+            recording.asf = asf;
+            return;
+        }
+    }
 }
 
-/// Makes the roles' joint indices fit the skeleton that was read: the names decide.
-void checkRoles(Fighter& fighter, Findings& findings) {
+/// Makes the roles' joint indices fit a skeleton that changed: the names decide.
+void matchRolesByName(Fighter& fighter, Findings& findings) {
     const Skeleton& skeleton = *fighter.motion->skeleton;
     for (const auto& [role, name] : fighter.roleNames) {
         const int joint = *fighter.roles[role];
         const bool fits = joint < skeleton.jointCount() &&
-                          skeleton.joints[static_cast<std::size_t>(joint)].name == name;
+                          asStored(skeleton.joints[static_cast<std::size_t>(joint)].name) == name;
         if (fits) continue;
-        const int other = skeleton.find(name);
-        if (other >= 0) {
-            fighter.roles.set(role, other);
+        const auto named = std::find_if(skeleton.joints.begin(), skeleton.joints.end(),
+                                        [&, &wanted = name](const Joint& candidate) {
+                                            return asStored(candidate.name) == wanted;
+                                        });
+        if (named != skeleton.joints.end()) {
+            fighter.roles.set(role, static_cast<int>(named - skeleton.joints.begin()));
         } else {
             fighter.roles.clear(role);
             findings.push_back(
@@ -74,7 +90,6 @@ void checkRoles(Fighter& fighter, Findings& findings) {
                                     fighter.recording.path.string(), name, roleName(role))));
         }
     }
-    fighter.roleNames.clear();
 }
 
 void attach(Fighter& fighter, const ReadResult& read, Findings& findings) {
@@ -82,7 +97,7 @@ void attach(Fighter& fighter, const ReadResult& read, Findings& findings) {
     if (!read.recording) {
         findings.push_back(warning(
             std::filesystem::exists(fighter.recording.path)
-                ? read.error
+                ? read.error + " The recording is left out; its corrections are kept."
                 : file + ": the recording is missing; put it back or relink it. Its corrections "
                          "are kept."));
         return;
@@ -100,25 +115,26 @@ void attach(Fighter& fighter, const ReadResult& read, Findings& findings) {
             file, motion->frameCount, fighter.frames.begin)));
         return;
     }
-    if (fighter.recording.sha256 != read.recording->sha256) {
+    const bool changed = fighter.recording.sha256 != read.recording->sha256;
+    if (changed) {
         findings.push_back(
-            warning(file + ": the recording has changed since the project was saved; check the "
-                           "boundaries."));
-        fighter.recording.sha256 = read.recording->sha256;
+            warning(file +
+                    ": the recording has changed since it became part of the project; check the "
+                    "boundaries, then relink it to accept the change."));
     }
     if (fighter.frames.end > motion->frameCount) {
         findings.push_back(warning(fmt::format("{}: holds {} frames now; the take ends there.",
                                                file, motion->frameCount)));
-        fighter.frames.end = motion->frameCount;
     }
     fighter.motion = std::move(motion);
-    checkRoles(fighter, findings);
+    if (changed) matchRolesByName(fighter, findings);
+    fighter.roleNames.clear();
 }
 
 }  // namespace
 
 LoadedProject loadProject(const std::filesystem::path& path, const Progress& progress) {
-    const auto folder = std::filesystem::absolute(path).lexically_normal().parent_path();
+    const auto folder = std::filesystem::weakly_canonical(path).parent_path();
     LoadedProject loaded;
     {
         const MappedFile file(path);

@@ -39,8 +39,10 @@ struct RecordingRef {
 struct Fighter {
     RecordingRef recording;
     SpaceConvention space;
-    double rate = 0;    ///< Hz, of the recording
-    FrameRange frames;  ///< of the file; frame 0 of the take is frames.begin
+    double rate = 0;  ///< Hz, of the recording
+    /// Frames of the file that the take holds; frame 0 of the take is frames.begin. As decided: a
+    /// recording that changed may have fewer, see `framesOf`.
+    FrameRange frames;
     double offset = 0;  ///< seconds on the take's clock at which frame 0 of the take stands
     Placement placement;
     std::optional<double> floor;  ///< metres in the file's space; nothing: found (method A2b)
@@ -90,8 +92,14 @@ struct FighterAddress {
     bool operator==(const FighterAddress&) const = default;
 };
 
+/// The fighter's frames that its recording really has; as decided where the recording is missing.
+FrameRange framesOf(const Fighter& fighter);
+
 const Fighter& fighterAt(const Project& project, FighterAddress address);
 Fighter& fighterAt(Project& project, FighterAddress address);
+
+/// All files that the project's recordings are read from.
+std::vector<std::filesystem::path> recordingFiles(const Project& project);
 
 /// Index of the take of that name. Throws Error that lists the takes.
 int takeNamed(const Project& project, std::string_view name);

@@ -7,6 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/project/json_text.h"
 
 namespace kumite {
@@ -212,6 +213,7 @@ SegmentationSettings readSettings(const JsonReader& json) {
     SegmentationSettings settings;
     settings.cutoff = json["cutoff_hz"].positive();
     settings.prominence = json["prominence_bw"].number();
+    if (settings.prominence < 0) throw json["prominence_bw"].error("expected 0 or more");
     const std::string curve = json["curve"].text();
     if (curve != "norm" && curve != "vertical") {
         throw json["curve"].error("expected \"norm\" or \"vertical\"");
@@ -243,6 +245,9 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
 
 Project parseProject(std::string_view text, const std::string& name,
                      const std::filesystem::path& folder) {
+    if (trimmed(text.substr(0, 200)).starts_with("HIERARCHY")) {
+        throw InputError(name, 0, 0, "is a recording; make a project of it with kumite new.");
+    }
     Json json = parseJson(text, name);
     const JsonReader reader(json, name, "");
     if (!reader.isObject() || !reader.has("kumite")) {
@@ -264,6 +269,10 @@ Project parseProject(std::string_view text, const std::string& name,
     for (std::size_t i = 0; i < takes.size(); ++i) {
         Take take;
         take.name = takes.at(i)["name"].text();
+        for (const Take& other : project.takes) {
+            if (other.name == take.name)
+                throw takes.at(i)["name"].error("is the name of two takes");
+        }
         const JsonReader fighters = takes.at(i)["fighters"];
         if (fighters.size() < 1 || fighters.size() > 2) {
             throw fighters.error("a take has one or two fighters");
@@ -283,7 +292,8 @@ BodyModel readBodyModel(const std::filesystem::path& path) {
 }
 
 void saveProject(const Project& project, const std::filesystem::path& path) {
-    const auto folder = std::filesystem::absolute(path).lexically_normal().parent_path();
+    // Where links lead: relative paths must mean the same from every way in.
+    const auto folder = std::filesystem::weakly_canonical(path).parent_path();
     writeFileAtomically(path, projectText(project, folder));
 }
 

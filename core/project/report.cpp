@@ -115,6 +115,21 @@ std::string segmentationJson(const Project& project, const Analysis& analysis,
     return report.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Findings smoothingFindings(const Project& project, const Analysis& analysis) {
+    Findings findings;
+    forTakes(project, {}, [&](std::size_t take) {
+        for (const FighterAnalysis& fighter : analysis.takes[take]) {
+            if (!fighter.force || fighter.force->force.smoothed) continue;
+            findings.push_back(warning(fmt::format(
+                "{}: a cutoff of {:g} Hz smooths nothing at {:g} frames a second; choose one below "
+                "{:g} Hz.",
+                fighter.input.recording.path.filename().string(), project.segmentation.cutoff,
+                fighter.input.rate, fighter.input.rate / 2)));
+        }
+    });
+    return findings;
+}
+
 std::string actionsCsv(const Project& project, const Analysis& analysis, std::optional<int> take) {
     std::string text = "take,player,action,begin,end,peak,begin_s,end_s,peak_force\n";
     auto out = std::back_inserter(text);

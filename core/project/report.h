@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/finding.h"
 #include "core/project/analysis.h"
 
 namespace kumite {
@@ -18,6 +19,10 @@ struct ReportOptions {
 /// Without a recording a player has `missing` instead.
 std::string segmentationJson(const Project& project, const Analysis& analysis,
                              const ReportOptions& options = {});
+
+/// Warnings about fighters whose motion is not smoothed, because the cutoff is not below half of
+/// their rate.
+Findings smoothingFindings(const Project& project, const Analysis& analysis);
 
 /// The actions as CSV: `take,player,action,begin,end,peak,begin_s,end_s,peak_force`.
 std::string actionsCsv(const Project& project, const Analysis& analysis, std::optional<int> take);

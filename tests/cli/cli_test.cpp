@@ -2,6 +2,7 @@
 #include "core/cli/run.h"
 
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -61,7 +62,7 @@ TEST_F(Cli, EveryCommandHasHelpWithAnExample) {
     const Result general = kumite({"--help"});
     EXPECT_EQ(general.code, 0);
     for (const std::string command :
-         {"info", "joints", "new", "force", "segment", "correct", "export"}) {
+         {"info", "joints", "new", "force", "segment", "correct", "export", "relink"}) {
         EXPECT_NE(general.out.find("  " + command + " "), std::string::npos);
         const Result help = kumite({command, "--help"});
         EXPECT_EQ(help.code, 0);
@@ -79,6 +80,11 @@ TEST_F(Cli, WrongUsageIsTwoAndFailureIsOne) {
         {"info"},
         {"segment"},
         {"segment", project, "--cutoff", "fast"},
+        {"segment", project, "--cutoff", "0"},
+        {"segment", project, "--prominence", "-1"},
+        {"segment", project, "--json", "--csv"},
+        {"new", "--out", project, "--take", "--rate", "60"},
+        {"new", "--out", project, "--take", "a", red, "--rate", "0"},
         {"force", project, "--out", "x", "--player", "3"},
         {"correct", project, "--take", "round1"},
         {"correct", project, "--remove", "1", "--add", "2"},
@@ -113,7 +119,6 @@ TEST_F(Cli, WrongUsageIsTwoAndFailureIsOne) {
         {"correct", project, "--take", "round1", "--remove", "0"},
         {"export", project, "--take", "round1", "--out", (folder / "x.fbx").string()},
         {"joints", red, "--out", (folder / "j.csv").string(), "--frames", "0:9999"},
-        {"segment", project, "--cutoff", "-1"},
         {"new", "--out", project, "--take", "a", "absent.bvh"},
         {"new", "--out", project, "--take", "a", red, "--take", "a", blue}};
     for (const auto& words : failing) {
@@ -251,6 +256,52 @@ TEST_F(Cli, NewKeepsAProjectThatIsThere) {
     EXPECT_EQ(again.code, 0);
     EXPECT_NE(again.err.find("kept as"), std::string::npos);
     EXPECT_EQ(test::readText(project + "~"), old);
+}
+
+TEST_F(Cli, NoOutputReplacesWhatIsRead) {
+    makeProject();
+    const std::string recording = test::readText(red);
+    const std::string saved = test::readText(project);
+    const std::vector<std::vector<std::string>> attempts = {
+        {"joints", red, "--out", red},
+        {"force", project, "--out", project},
+        {"force", project, "--out", red},
+        {"export", project, "--out", (folder / "bout.kumite").string()},
+        {"new", "--out", red, "--take", "a", red}};
+    for (const auto& words : attempts)
+        EXPECT_EQ(kumite(words).code, 1) << words[0];
+    EXPECT_EQ(test::readText(red), recording);
+    EXPECT_EQ(test::readText(project), saved);
+}
+
+TEST_F(Cli, RelinkAcceptsAMovedOrChangedRecording) {
+    makeProject();
+    const std::string moved = (folder / "elsewhere.bvh").string();
+    test::writeText(moved, test::readText(red) + "\n");
+    std::filesystem::remove(red);
+    EXPECT_NE(kumite({"segment", project}).err.find("missing"), std::string::npos);
+    ASSERT_EQ(kumite({"relink", project, "--player", "1", "--file", moved}).code, 0);
+    EXPECT_EQ(kumite({"segment", project}).err, "");
+    EXPECT_EQ(kumite({"relink", project, "--file", moved}).out, "Nothing to change.\n");
+    test::writeText(moved,
+                    "HIERARCHY\nROOT tail\n{\nOFFSET 0 0 0\nCHANNELS 1 Xrotation\n}\n"
+                    "MOTION\nFrames: 1\nFrame Time: 0.1\n0\n");
+    EXPECT_EQ(kumite({"relink", project, "--file", moved}).code, 1) << "another skeleton";
+}
+
+TEST_F(Cli, SaysThatACutoffAboveHalfTheRateSmoothsNothing) {
+    makeProject();
+    EXPECT_NE(kumite({"segment", project, "--cutoff", "30"}).err.find("smooths nothing"),
+              std::string::npos);
+    EXPECT_EQ(kumite({"segment", project, "--cutoff", "29"}).err, "");
+}
+
+TEST_F(Cli, AFullDiskIsAFailure) {
+    std::ostringstream err;
+    std::ofstream full("/dev/full");
+    if (!full) GTEST_SKIP() << "this system has no /dev/full";
+    EXPECT_EQ(cli::run({"info", red}, full, err), 1);
+    EXPECT_NE(err.str().find("standard output"), std::string::npos);
 }
 
 TEST_F(Cli, ABrokenRecordingIsNamedWithItsPlace) {

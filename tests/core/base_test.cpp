@@ -1,8 +1,10 @@
 #include <clocale>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -81,6 +83,19 @@ TEST(AtomicWrite, AFailureLeavesTheOldFileAndNamesIt) {
     }
     EXPECT_EQ(readText(folder / "taken" / "inside"), "x");
     EXPECT_THROW(writeFileAtomically(folder / "no" / "such" / "folder.txt", "x"), Error);
+}
+
+TEST(AtomicWrite, WritesIntoWhatIsNoRegularFile) {
+    const TemporaryFolder folder;
+    const auto pipe = folder / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+    writeFileAtomically(pipe, "through");
+    char text[16] = {};
+    EXPECT_EQ(::read(reader, text, sizeof text), 7);
+    ::close(reader);
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    EXPECT_THROW(MappedFile{pipe}, Error) << "reading it would wait for ever";
 }
 
 TEST(MappedFile, ReadsEmptyFilesAndRefusesFolders) {

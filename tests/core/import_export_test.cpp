@@ -188,6 +188,49 @@ TEST(Export, APlacementMovesTheRootAndNothingElse) {
     }
 }
 
+TEST(Export, APlacementBelowAHelperJoint) {
+    Skeleton skeleton = *test::makeHuman();
+    for (Joint& joint : skeleton.joints) {
+        joint.parent += 1;
+        joint.firstChannel += 2;
+    }
+    Joint helper;
+    helper.name = "Armature";
+    helper.channels = {Channel::Yposition, Channel::Zrotation};
+    helper.offset = {3, 0, 5};
+    skeleton.joints.insert(skeleton.joints.begin(), helper);
+    skeleton.channelCount += 2;
+    const auto motion =
+        test::makeMotion(std::make_shared<Skeleton>(skeleton), 20, 60,
+                         [](int frame, int column) { return 10.0 * std::sin(frame + column); });
+    Fighter fighter = test::makeFighter(motion, 60);
+    fighter.placement = {1, 2, 0.5};
+    Project project;
+    project.takes = {{"t", {fighter}}};
+    const TemporaryFolder folder;
+    const auto written = exportTake(project, analyse(project), 0, folder / "o.bvh");
+    const auto back = readRecording(written[0]).motions[0];
+    const auto moved = forwardKinematics(*back, back->frames(), fighter.space);
+    const auto original = forwardKinematics(*motion, motion->frames(), fighter.space);
+    for (int frame = 0; frame < 20; ++frame) {
+        for (int joint = 1; joint < moved.jointCount; ++joint) {
+            const Eigen::Vector3d expected =
+                placed(fighter, 0, original.at(frame, joint).cast<double>());
+            EXPECT_LT((moved.at(frame, joint).cast<double>() - expected).norm(), 1e-5);
+        }
+        EXPECT_EQ(back->frame(frame)[0], motion->frame(frame)[0]);
+    }
+}
+
+TEST(Export, NeverReplacesARecording) {
+    Files files;
+    const auto recording = files.add("red-1.bvh", *walking(100));
+    const std::string content = readText(recording);
+    const Project project = addTake({}, importTake(files.request({recording})).take)->project;
+    EXPECT_THROW(exportTake(project, analyse(project), 0, files.folder / "red.bvh"), Error);
+    EXPECT_EQ(readText(recording), content);
+}
+
 TEST(Export, AnotherRateIsWritten) {
     Exported exported;
     exported.project.takes[0].fighters[0].rate = 50;

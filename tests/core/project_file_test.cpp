@@ -109,10 +109,49 @@ TEST(ProjectFile, AChangedRecordingIsUsedAndWarnedAbout) {
     writeText(bout.folder / "recordings" / "red.bvh",
               bvhText(*motion, motion->frames(), motion->frameTime));
     const LoadedProject loaded = loadProject(bout.file);
-    EXPECT_EQ(loaded.project.takes[0].fighters[0].frames, (FrameRange{0, 120}));
+    const Fighter& red = loaded.project.takes[0].fighters[0];
+    EXPECT_EQ(framesOf(red), (FrameRange{0, 120}));
+    EXPECT_EQ(red.frames, (FrameRange{0, 200})) << "the decision stays: the old file may come back";
     ASSERT_EQ(loaded.findings.size(), 2u);
     EXPECT_NE(loaded.findings[0].text.find("changed"), std::string::npos);
     EXPECT_NO_THROW(analyse(loaded.project));
+}
+
+TEST(ProjectFile, LinksLeadToTheSameRecordings) {
+    const SavedBout bout;
+    const TemporaryFolder elsewhere;
+    std::filesystem::create_directory_symlink(bout.folder.path(), elsewhere / "folder");
+    std::filesystem::create_symlink(bout.file, elsewhere / "link.kumite");
+    for (const auto& way : {elsewhere / "folder" / "bout.kumite", elsewhere / "link.kumite"}) {
+        const LoadedProject loaded = loadProject(way);
+        EXPECT_TRUE(loaded.findings.empty()) << loaded.findings.front().text;
+        saveProject(loaded.project, way);
+    }
+    EXPECT_TRUE(std::filesystem::is_symlink(elsewhere / "link.kumite"));
+    EXPECT_TRUE(loadProject(bout.file).findings.empty());
+}
+
+TEST(ProjectFile, JointNamesThatAreNoTextKeepTheirRoles) {
+    const SavedBout bout;
+    Skeleton skeleton = *test::makeHuman();
+    skeleton.joints[static_cast<std::size_t>(skeleton.find("LeftKnee"))].name = "LeftKn\xEE";
+    const auto motion = test::makeMotion(std::make_shared<Skeleton>(skeleton), 50, 60,
+                                         [](int, int) { return 0.0; });
+    const auto path = bout.folder / "latin.bvh";
+    writeText(path, bvhText(*motion, motion->frames(), motion->frameTime));
+    TakeRequest request;
+    request.fighters.emplace_back().path = path;
+    request.fighters[0].roles = {{Role::LeftKnee, "LeftKn\xEE"}};
+    const auto file = bout.folder / "latin.kumite";
+    saveProject(addTake({}, importTake(request).take)->project, file);
+    const std::string text = readText(file);
+    const LoadedProject loaded = loadProject(file);
+    EXPECT_TRUE(loaded.findings.empty());
+    EXPECT_TRUE(loaded.project.takes[0].fighters[0].roles.has(Role::LeftKnee));
+    saveProject(loaded.project, file);
+    EXPECT_EQ(readText(file), text);
+    request.name = "\xFF";
+    EXPECT_THROW(importTake(request), Error);
 }
 
 TEST(ProjectFile, ADamagedRecordingDoesNotTakeTheProjectDown) {

@@ -190,6 +190,33 @@ TEST(MapRoles, NamesThatSayNothingAreReadOffTheShape) {
     }
 }
 
+TEST(MapRoles, PrefixesNeedNoSeparator) {
+    for (Convention names : conventions()) {
+        if (names.family != "Biped" && names.family != "HumanIK") continue;
+        const auto glue = [](std::vector<std::string>& list) {
+            for (std::string& name : list) {
+                std::erase_if(name, [](char c) { return c == ' ' || c == ':' || c == '_'; });
+            }
+        };
+        glue(names.middle);
+        glue(names.left);
+        glue(names.right);
+        names.above.clear();
+        EXPECT_EQ(mapRoles(*bodyWithNames(names)).family, names.family) << names.left[0];
+    }
+}
+
+TEST(MapRoles, AMissingLimbDoesNotUnsayTheNamesOfTheOthers) {
+    Convention names = conventions()[5];
+    names.left[6] = "lX";
+    names.right[6] = "rX";  // ankles without a telling name
+    const auto skeleton = bodyWithNames(names);
+    const RoleMapping mapping = mapRoles(*skeleton);
+    EXPECT_EQ(mapping.family, "Poser");
+    EXPECT_EQ(jointOf(*skeleton, mapping, LeftAnkle), "lX") << "read off the shape";
+    EXPECT_EQ(jointOf(*skeleton, mapping, LeftToe), "lToe");
+}
+
 TEST(MapRoles, OfEqualNamesTheJointThatCarriesTheBodyIsMeant) {
     // Marker leaves that repeat the names of joints, as some exporters write them.
     auto names = conventions()[2];

@@ -32,7 +32,7 @@ TEST(Survey, FindsTheUnitByTheLegs) {
     for (const auto& [name, metres] : units) {
         const Survey survey = surveyMotion(*standing(humanIn(0.01 / metres)));
         EXPECT_EQ(survey.unitName, name);
-        EXPECT_NEAR(survey.legLength, 0.84, 1e-9);
+        EXPECT_NEAR(survey.legLength, 0.84, 1e-6);
         EXPECT_TRUE(survey.findings.empty()) << survey.findings.front().text;
         EXPECT_EQ(metresPerUnitFromName(name), metres);
     }
@@ -78,6 +78,61 @@ std::shared_ptr<const Motion> restThenMotion(int rest) {
 TEST(Survey, FindsALeadingRestPose) {
     EXPECT_EQ(surveyMotion(*restThenMotion(1)).leadingRestFrames, 1);
     EXPECT_EQ(surveyMotion(*restThenMotion(40)).leadingRestFrames, 40);
+}
+
+TEST(Survey, FindsARestPoseThatLastsLong) {
+    const auto longRest = makeMotion(makeHuman(), 900, 60, [](int frame, int column) {
+        if (column < 3 || frame < 700) return 0.0;
+        return 25.0 * std::sin(column) + 5.0 * std::sin(0.05 * frame + column);
+    });
+    EXPECT_EQ(surveyMotion(*longRest).leadingRestFrames, 700);
+}
+
+/// The human below a helper joint that turns everything: z up, facing sideways. The jump is
+/// smeared over some frames, as filtered data has it, so only the pose tells.
+TEST(Survey, FindsARestPoseBelowATurnedHelperJoint) {
+    Skeleton skeleton = *makeHuman();
+    for (Joint& joint : skeleton.joints) {
+        joint.parent += 1;
+        joint.firstChannel += 2;
+    }
+    Joint helper;
+    helper.name = "Armature";
+    helper.channels = {Channel::Xrotation, Channel::Yrotation};
+    skeleton.joints.insert(skeleton.joints.begin(), helper);
+    skeleton.channelCount += 2;
+    const auto motion =
+        makeMotion(std::make_shared<Skeleton>(skeleton), 200, 60, [](int frame, int column) {
+            if (column < 2) return column == 0 ? 90.0 : 40.0;
+            if (column < 5) return 0.0;
+            const double ramp = 1 - std::exp(-0.5 * frame);
+            return ramp * 45.0 * std::sin(column + 0.01 * frame);
+        });
+    const Survey survey = surveyMotion(*motion);
+    EXPECT_EQ(survey.leadingRestFrames, 1);
+    EXPECT_EQ(survey.space.up, UpAxis::Z);
+}
+
+TEST(Survey, BonesMayStandInPositionChannels) {
+    // Every offset is a position channel; the OFFSET lines are zero.
+    Skeleton skeleton = *makeHuman();
+    std::vector<double> row;
+    skeleton.channelCount = 0;
+    for (Joint& joint : skeleton.joints) {
+        joint.firstChannel = skeleton.channelCount;
+        if (joint.isEndSite) continue;
+        joint.channels = {Channel::Xposition, Channel::Yposition, Channel::Zposition,
+                          Channel::Zrotation, Channel::Xrotation, Channel::Yrotation};
+        for (int axis = 0; axis < 3; ++axis)
+            row.push_back(0.01 * joint.offset[axis]);
+        row.insert(row.end(), 3, 0.0);
+        joint.offset.setZero();
+        skeleton.channelCount += 6;
+    }
+    const auto motion =
+        makeMotion(std::make_shared<Skeleton>(skeleton), 10, 60,
+                   [&](int, int column) { return row[static_cast<std::size_t>(column)]; });
+    EXPECT_EQ(surveyMotion(*motion).unitName, "m");
 }
 
 TEST(Survey, MotionFromTheFirstFrameIsNotTakenForARestPose) {
