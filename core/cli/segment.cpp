@@ -35,8 +35,7 @@ void printText(const OpenProject& open, const Streams& streams) {
                 "{}: {} actions in {:.2f} s; {} boundaries removed, {} corrections, {} without a "
                 "minimum; {:.0f} % of the body's mass\n",
                 who, cut.actions.size(), fighter.frameCount() / fighter.input.rate,
-                cut.removedMinima.size() + cut.removedAdded.size(),
-                fighter.input.corrections.size(), cut.unmatched.size(),
+                cut.removed.size(), fighter.input.corrections.size(), cut.unmatched.size(),
                 100 * fighter.body->com.massCoverage);
             for (const Correction& correction : cut.unmatched) {
                 streams.out << "  no minimum any more: " << correctionText(correction) << "\n";

@@ -76,7 +76,8 @@ Edit withCorrections(const Project& project, FighterAddress address,
 }
 
 /// The correction (its index) of a kind that means a minimum.
-std::optional<std::size_t> correctionOf(const Subject& subject, Correction::Kind kind, int minimum) {
+std::optional<std::size_t> correctionOf(const Subject& subject, Correction::Kind kind,
+                                        int minimum) {
     const std::vector<Correction>& corrections = subject.fighter.corrections;
     for (std::size_t i = 0; i < corrections.size(); ++i) {
         if (corrections[i].kind == kind && subject.segmentation.meant[i] == minimum) return i;
@@ -102,33 +103,17 @@ void keepAdditionsApart(const Subject& subject, int minimumFrame,
                         std::vector<Correction>& corrections) {
     for (std::size_t i = 0; i < corrections.size(); ++i) {
         const bool near = std::abs(corrections[i].frame - minimumFrame) <= subject.reach;
-        if (corrections[i].kind == Correction::Kind::Add && near && !subject.segmentation.meant[i]) {
+        if (corrections[i].kind == Correction::Kind::Add && near &&
+            !subject.segmentation.meant[i]) {
             corrections[i].beside = true;
         }
     }
 }
 
 bool standsAt(const Subject& subject, int frame) {
-    return std::any_of(subject.segmentation.boundaries.begin(), subject.segmentation.boundaries.end(),
+    return std::any_of(subject.segmentation.boundaries.begin(),
+                       subject.segmentation.boundaries.end(),
                        [&](const Boundary& boundary) { return boundary.frame == frame; });
-}
-
-/// A boundary that a hand took away: where it would stand, and the minimum it is (nothing: it was
-/// added).
-struct RemovedBoundary {
-    int frame = 0;
-    std::optional<int> minimum;
-};
-
-std::vector<RemovedBoundary> removedBoundaries(const Subject& subject) {
-    std::vector<RemovedBoundary> removed;
-    for (const int frame : subject.segmentation.removedAdded) removed.push_back({frame, {}});
-    for (const int index : subject.segmentation.removedMinima) {
-        const auto move = correctionOf(subject, Correction::Kind::Move, index);
-        removed.push_back({move ? subject.fighter.corrections[*move].to : subject.minimum(index).frame,
-                           index});
-    }
-    return removed;
 }
 
 }  // namespace
@@ -152,12 +137,11 @@ MaybeEdit removeBoundary(const Project& project, const Analysis& analysis, Fight
 MaybeEdit restoreBoundary(const Project& project, const Analysis& analysis, FighterAddress address,
                           int frame) {
     const Subject subject(project, analysis, address);
-    const std::vector<RemovedBoundary> removed = removedBoundaries(subject);
-    const auto nearest =
-        std::min_element(removed.begin(), removed.end(),
-                         [&](const RemovedBoundary& a, const RemovedBoundary& b) {
-                             return std::abs(a.frame - frame) < std::abs(b.frame - frame);
-                         });
+    const std::vector<RemovedBoundary>& removed = subject.segmentation.removed;
+    const auto nearest = std::min_element(
+        removed.begin(), removed.end(), [&](const RemovedBoundary& a, const RemovedBoundary& b) {
+            return std::abs(a.frame - frame) < std::abs(b.frame - frame);
+        });
     if (nearest == removed.end() || std::abs(nearest->frame - frame) > subject.reach) {
         throw Error(fmt::format("Fighter {} has no removed boundary near frame {}.", subject.player,
                                 frame));
@@ -183,12 +167,13 @@ MaybeEdit addBoundary(const Project& project, const Analysis& analysis, FighterA
     const Subject subject(project, analysis, address);
     const int last = subject.values.frameCount() - 1;
     if (frame <= 0 || frame >= last) {
-        throw Error(fmt::format("Frame {} is not inside the take, whose last frame is {}: a boundary "
-                                "cannot stand there.",
-                                frame, last));
+        throw Error(
+            fmt::format("Frame {} is not inside the take, whose last frame is {}: a boundary "
+                        "cannot stand there.",
+                        frame, last));
     }
     if (standsAt(subject, frame)) return std::nullopt;
-    const std::vector<RemovedBoundary> removed = removedBoundaries(subject);
+    const std::vector<RemovedBoundary>& removed = subject.segmentation.removed;
     const bool wasRemoved =
         std::any_of(removed.begin(), removed.end(),
                     [&](const RemovedBoundary& boundary) { return boundary.frame == frame; });

@@ -9,7 +9,7 @@ namespace {
 
 /// What the corrections say about one minimum.
 struct MinimumState {
-    bool kept = false;  ///< prominent enough to be a boundary by itself
+    bool kept = false;                   ///< prominent enough to be a boundary by itself
     std::optional<std::size_t> remover;  ///< the correction that removed it
     std::optional<std::size_t> mover;    ///< the correction that moved it
     std::optional<std::size_t> adder;    ///< the added boundary that stands for it
@@ -57,9 +57,9 @@ public:
         }
     }
 
-    std::vector<MinimumState> states;        ///< one per minimum
-    std::vector<std::optional<int>> meant;   ///< one per correction
-    std::vector<bool> matched;               ///< one per correction: has it an effect?
+    std::vector<MinimumState> states;       ///< one per minimum
+    std::vector<std::optional<int>> meant;  ///< one per correction
+    std::vector<bool> matched;              ///< one per correction: has it an effect?
 
 private:
     void claim(int frame, std::size_t correction,
@@ -103,7 +103,7 @@ std::vector<Candidate> candidates(const Matcher& matcher, std::span<const ForceM
     for (std::size_t i = 0; i < corrections.size(); ++i) {
         if (corrections[i].kind != Correction::Kind::Add || !matcher.matched[i]) continue;
         if (corrections[i].removed) {
-            result.removedAdded.push_back(corrections[i].frame);
+            result.removed.push_back({corrections[i].frame, {}});
         } else {
             all.push_back({{corrections[i].frame, BoundarySource::Added, matcher.meant[i]}, i});
         }
@@ -112,12 +112,12 @@ std::vector<Candidate> candidates(const Matcher& matcher, std::span<const ForceM
         const MinimumState& state = matcher.states[i];
         const int index = static_cast<int>(i);
         if (state.adder || (!state.kept && !state.mover)) continue;
+        const int frame = state.mover ? corrections[*state.mover].to : minima[i].frame;
         if (state.remover) {
-            result.removedMinima.push_back(index);
-        } else if (state.mover) {
-            all.push_back({{corrections[*state.mover].to, BoundarySource::Moved, index}, state.mover});
+            result.removed.push_back({frame, index});
         } else {
-            all.push_back({{minima[i].frame, BoundarySource::Detected, index}, {}});
+            const auto source = state.mover ? BoundarySource::Moved : BoundarySource::Detected;
+            all.push_back({{frame, source, index}, state.mover});
         }
     }
     return all;

@@ -33,15 +33,22 @@ struct Action {
     bool operator==(const Action&) const = default;
 };
 
+/// A boundary that a hand took away: where it would stand, and the minimum that it stood for.
+struct RemovedBoundary {
+    int frame = 0;
+    std::optional<int> minimum;  ///< index; nothing: a boundary that was added
+
+    bool operator==(const RemovedBoundary&) const = default;
+};
+
 /// A fighter's stream cut into actions.
 struct Segmentation {
-    std::vector<Boundary> boundaries;   ///< in order of time; first and last frame always
-    std::vector<Action> actions;        ///< gapless: actions[i].end == actions[i + 1].begin
-    std::vector<int> removedMinima;     ///< indices of minima that a hand removed
-    std::vector<int> removedAdded;      ///< frames of added boundaries that a hand removed again
-    std::vector<Correction> unmatched;  ///< corrections that are without effect now
-    /// For each correction, in their order, the index of the minimum that it means: that is removed,
-    /// moved, or that an added boundary stands for.
+    std::vector<Boundary> boundaries;      ///< in order of time; first and last frame always
+    std::vector<Action> actions;           ///< gapless: actions[i].end == actions[i + 1].begin
+    std::vector<RemovedBoundary> removed;  ///< what a hand took away and can bring back
+    std::vector<Correction> unmatched;     ///< corrections that are without effect now
+    /// For each correction, in their order, the index of the minimum that it means: that is
+    /// removed, moved, or that an added boundary stands for.
     std::vector<std::optional<int>> meant;
 
     bool operator==(const Segmentation&) const = default;
@@ -53,11 +60,11 @@ struct Segmentation {
 /// that begins and ends there; an empty curve gives nothing.
 ///
 /// A removal or a move means the nearest minimum within reach that no other removal (move) means;
-/// one that cuts counts as half as far, because noise may be nearer than the minimum that was meant.
-/// An added boundary stands for the nearest minimum within reach that cuts and that no hand removed
-/// or moved, unless it was added beside another on purpose: so it is not cut twice when a lower
-/// threshold finds the minimum. Corrections that mean nothing any more, or whose boundary falls on
-/// another one's frame, are listed in `unmatched`.
+/// one that cuts counts as half as far, because noise may be nearer than the minimum that was
+/// meant. An added boundary stands for the nearest minimum within reach that cuts and that no hand
+/// removed or moved, unless it was added beside another on purpose: so it is not cut twice when a
+/// lower threshold finds the minimum. Corrections that mean nothing any more, or whose boundary
+/// falls on another one's frame, are listed in `unmatched`.
 Segmentation segment(std::span<const double> curve, std::span<const ForceMinimum> minima,
                      double threshold, std::span<const Correction> corrections, double reach);
 

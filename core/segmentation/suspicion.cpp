@@ -82,8 +82,9 @@ std::vector<Example> examplesOf(const SuspicionInput& input, std::size_t fighter
         it->judged = true;
         it->target = target;
     };
-    for (const int minimum : input.segmentation->removedMinima)
-        judge(minimum, 1.0);
+    for (const RemovedBoundary& removed : input.segmentation->removed) {
+        if (removed.minimum) judge(*removed.minimum, 1.0);
+    }
     for (const Boundary& boundary : input.segmentation->boundaries) {
         // A hand that moved a boundary meant it to be one.
         if (boundary.source == BoundarySource::Moved) judge(*boundary.minimum, 0.0);

@@ -37,12 +37,9 @@ std::vector<BoundaryMark> boundaryMarks(const FighterAnalysis& fighter) {
         const double suspicion = boundary.minimum ? suspicionOf(*boundary.minimum) : 0.0;
         marks.push_back({boundary.frame, stateOf(boundary.source), boundary.minimum, suspicion});
     }
-    for (const int minimum : segmentation.removedMinima) {
-        const int frame = fighter.force->minima[static_cast<std::size_t>(minimum)].frame;
-        marks.push_back({frame, MarkState::Removed, minimum, suspicionOf(minimum)});
-    }
-    for (const int frame : segmentation.removedAdded) {
-        marks.push_back({frame, MarkState::Removed, std::nullopt, 0.0});
+    for (const RemovedBoundary& removed : segmentation.removed) {
+        const double suspicion = removed.minimum ? suspicionOf(*removed.minimum) : 0.0;
+        marks.push_back({removed.frame, MarkState::Removed, removed.minimum, suspicion});
     }
     std::stable_sort(marks.begin(), marks.end(), [](const auto& a, const auto& b) {
         return std::tuple(a.frame, !a.isLive()) < std::tuple(b.frame, !b.isLive());

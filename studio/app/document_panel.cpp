@@ -129,7 +129,7 @@ void DocumentPanel::showFighters() {
         item->setToolTip(tr("%1: %2\n%3 Hz, %4 frames")
                              .arg(fighterText(player), path)
                              .arg(fighter.rate)
-                             .arg(fighter.frames.size()));
+                             .arg(framesOf(fighter).size()));
     }
     fighters_->setCurrentRow(session_.activePlayer());
     fitHeight(fighters_);

@@ -65,7 +65,7 @@ TEST(BoundaryEdits, AMovedBoundaryThatIsRemovedAndRestoredIsMovedStill) {
     bout.apply(moveBoundary(bout.project, bout.analysis, kFirst, frame, frame + 8));
     const Project moved = bout.project;
     bout.apply(removeBoundary(bout.project, bout.analysis, kFirst, frame + 8));
-    EXPECT_EQ(bout.analysis.at(kFirst).segmentation->removedMinima.size(), 1u);
+    EXPECT_EQ(bout.analysis.at(kFirst).segmentation->removed.size(), 1u);
     bout.apply(restoreBoundary(bout.project, bout.analysis, kFirst, frame + 8));
     EXPECT_EQ(bout.project, moved);
 }
@@ -122,7 +122,7 @@ TEST(BoundaryEdits, CorrectionsSurviveAChangeOfSettings) {
         bout.apply(setSegmentation(bout.project, {cutoff, 0.05, ForceCurve::Norm}));
         for (const int other : bout.frames())
             EXPECT_GT(std::abs(other - frame), 6) << cutoff;
-        EXPECT_EQ(bout.analysis.at(kFirst).segmentation->removedMinima.size(), 1u);
+        EXPECT_EQ(bout.analysis.at(kFirst).segmentation->removed.size(), 1u);
     }
 }
 
@@ -151,13 +151,16 @@ TEST(BoundaryEdits, EveryActDoesWhatItSaysAfterAnyOther) {
                 if (act == 2) edit = addBoundary(p, a, kFirst, frame);
                 if (act == 3) edit = moveBoundary(p, a, kFirst, frame, to);
                 if (act == 4) edit = restoreBoundary(p, a, kFirst, frame);
-                if (act == 5) edit = setSegmentation(p, {1.0 * draw(5, 7), 0.01 * draw(1, 30), ForceCurve::Norm});
+                if (act == 5)
+                    edit = setSegmentation(
+                        p, {1.0 * draw(5, 7), 0.01 * draw(1, 30), ForceCurve::Norm});
             } catch (const Error&) {
                 continue;
             }
             if (!edit) continue;
             ++acts;
-            log += std::to_string(act) + " " + std::to_string(frame) + " " + std::to_string(to) + "; ";
+            log +=
+                std::to_string(act) + " " + std::to_string(frame) + " " + std::to_string(to) + "; ";
             const auto nearest = *std::min_element(before.begin(), before.end(), [&](int x, int y) {
                 return std::abs(x - frame) < std::abs(y - frame);
             });
@@ -165,9 +168,12 @@ TEST(BoundaryEdits, EveryActDoesWhatItSaysAfterAnyOther) {
             const auto after = bout.frames();
             const auto has = [&](int f) { return std::count(after.begin(), after.end(), f) > 0; };
             const auto change = static_cast<int>(after.size()) - static_cast<int>(before.size());
-            const bool asSaid[] = {change == -1 && !has(nearest), change == -1 && !has(nearest),
-                                   change == 1 && has(frame),     change == 0 && has(to),
-                                   change == 1,                   true};
+            const bool asSaid[] = {change == -1 && !has(nearest),
+                                   change == -1 && !has(nearest),
+                                   change == 1 && has(frame),
+                                   change == 0 && has(to),
+                                   change == 1,
+                                   true};
             EXPECT_TRUE(asSaid[act]) << log;
             const std::string text = projectText(bout.project, "/");
             EXPECT_EQ(projectText(parseProject(text, "x", "/"), "/"), text) << log;
@@ -179,8 +185,9 @@ TEST(BoundaryEdits, EveryActDoesWhatItSaysAfterAnyOther) {
 
 TEST(BoundaryEdits, UnmatchedCorrectionsAreForgottenOnRequestOnly) {
     Bout bout;
-    bout.project.takes[0].fighters[0].corrections = {{Correction::Kind::Move, 9000, 9001, false, false},
-                                                     {Correction::Kind::Add, 5000, 0, false, false}};
+    bout.project.takes[0].fighters[0].corrections = {
+        {Correction::Kind::Move, 9000, 9001, false, false},
+        {Correction::Kind::Add, 5000, 0, false, false}};
     bout.analysis = analyse(bout.project);
     ASSERT_EQ(bout.analysis.at(kFirst).segmentation->unmatched.size(), 2u);
     bout.apply(dropUnmatchedCorrections(bout.project, bout.analysis, kFirst));

@@ -62,7 +62,7 @@ TEST(Segment, CutsAtTheProminentMinimaAndTheEnds) {
 TEST(Segment, ARemovedMinimumMergesItsNeighbours) {
     const auto cut = Curve().cut({remove(60)});
     EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 80, 100}));
-    EXPECT_EQ(cut.removedMinima, std::vector<int>{2});
+    EXPECT_EQ(cut.removed, (std::vector<RemovedBoundary>{{60, 2}}));
     EXPECT_EQ(cut.actions[1].peak, 50) << "the higher peak stays the identity";
     EXPECT_TRUE(cut.unmatched.empty());
 }
@@ -81,7 +81,7 @@ TEST(Segment, CorrectionsThatMeanNothingAreListedNotDropped) {
 TEST(Segment, ARemovalWaitsWhileItsMinimumIsBelowTheThreshold) {
     const auto quiet = Curve().cut({remove(40)});
     EXPECT_TRUE(quiet.unmatched.empty()) << "the minimum is there, it only does not cut";
-    EXPECT_TRUE(quiet.removedMinima.empty());
+    EXPECT_TRUE(quiet.removed.empty());
     EXPECT_EQ(framesOf(Curve().cut({remove(40)}, 0.01)), (std::vector<int>{0, 20, 60, 80, 100}));
     EXPECT_EQ(framesOf(Curve().cut({}, 0.01)), (std::vector<int>{0, 20, 40, 60, 80, 100}));
 }
@@ -101,13 +101,13 @@ TEST(Segment, AnAddedBoundaryIsTheMinimumThatAppearsBesideIt) {
 TEST(Segment, RemovingAnAddedBoundaryKeepsItForRestoring) {
     const auto cut = Curve().cut({add(42, false, true)});
     EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 60, 80, 100}));
-    EXPECT_EQ(cut.removedAdded, std::vector<int>{42});
+    EXPECT_EQ(cut.removed, (std::vector<RemovedBoundary>{{42, {}}}));
 }
 
 TEST(Segment, ARemovalWinsOverAMoveOfTheSameMinimum) {
     const auto cut = Curve().cut({move(60, 63), remove(60)});
     EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 80, 100}));
-    EXPECT_EQ(cut.removedMinima, std::vector<int>{2});
+    EXPECT_EQ(cut.removed, (std::vector<RemovedBoundary>{{63, 2}}));
 }
 
 TEST(Segment, TheMinimumAtTheFrameIsMeantEvenIfAnotherOneCuts) {
@@ -132,7 +132,7 @@ TEST(Segment, AnAddedBoundaryLeavesAloneWhatAHandMovedOrRemoved) {
               (std::vector<int>{0, 20, 50, 62, 80, 100}));
     const auto cut = Curve().cut({remove(60), add(62)});
     EXPECT_EQ(framesOf(cut), (std::vector<int>{0, 20, 62, 80, 100}));
-    EXPECT_EQ(cut.removedMinima, std::vector<int>{2}) << "it can still be restored";
+    EXPECT_EQ(cut.removed, (std::vector<RemovedBoundary>{{60, 2}})) << "it can still be restored";
 }
 
 TEST(Segment, OneBoundaryPerFrame) {
@@ -165,8 +165,8 @@ TEST(Segment, ActionsAreAGaplessPartition) {
             return static_cast<int>((state >> 16) % n);
         };
         for (int i = draw(8); i > 0; --i) {
-            corrections.push_back({static_cast<Kind>(draw(3)), draw(110), draw(110), draw(2) == 0,
-                                   draw(4) == 0});
+            corrections.push_back(
+                {static_cast<Kind>(draw(3)), draw(110), draw(110), draw(2) == 0, draw(4) == 0});
         }
         const auto cut = curve.cut(corrections, 0.01 * draw(60));
         ASSERT_EQ(cut.actions.size() + 1, cut.boundaries.size());

@@ -165,7 +165,7 @@ void SegmentPanel::showFighters() {
         const auto count = segmentation.actions.size();
         QString line = count == 1 ? tr("%1: 1 action").arg(fighterText(player))
                                   : tr("%1: %2 actions").arg(fighterText(player)).arg(count);
-        const auto removed = segmentation.removedMinima.size() + segmentation.removedAdded.size();
+        const auto removed = segmentation.removed.size();
         if (removed > 0) line += tr(", %1 removed").arg(removed);
         lines.append(line);
         for (const Correction& correction : segmentation.unmatched) {
