@@ -23,9 +23,9 @@ Vector priorPrecision() {
     return Vector(0.5, 2.0, 2.0, 2.0, 2.0);
 }
 
-/// Untouched minima are probably right, but nobody said so: all together they weigh ten times as
+/// Untouched minima are probably right, but nobody said so: all together they weigh 40 times as
 /// much as the removed ones, never more than one each.
-constexpr double kUntouchedPerRemoved = 10.0;
+constexpr double kUntouchedPerRemoved = 40.0;
 
 double footSpeedAt(const SuspicionInput& input, int frame) {
     if (input.footSpeed.empty()) return 1.0;  // neutral, see below
