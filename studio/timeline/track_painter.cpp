@@ -37,24 +37,34 @@ double TrackPainter::xOfFrame(const Fighter& fighter, double frame) const {
 void TrackPainter::paint(const Track& track, int player) {
     paintHeader(track, player);
     const FighterAnalysis* fighter = session_.fighter(player);
-    if (fighter == nullptr || !track.hasCurve()) {
-        painter_.setPen(colours_.secondText);
-        painter_.drawText(track.plot(), Qt::AlignCenter,
-                          tr("The recording of %1 is missing. File ▸ Find recording… points to it.")
-                              .arg(fighterText(player)));
+    if (fighter == nullptr) {
+        paintNote(track, tr("The recording of %1 is missing. File ▸ Find recording… points to it.")
+                             .arg(fighterText(player)));
         return;
     }
-    paintAxes(track);
+    const bool hasCurve = track.hasCurve();
+    if (hasCurve) paintAxes(track);
     painter_.save();
     painter_.setClipRect(track.row().adjusted(track.plot().left() - track.row().left(), 0,
                                               track.plot().right() - track.row().right(), 0));
     painter_.setRenderHint(QPainter::Antialiasing);
     paintActions(track, *fighter, player);
-    paintCurve(track, fighter->input, false, withAlpha(colours_.secondText, 0.75));
-    paintCurve(track, fighter->input, true, colours_.fighterText[player]);
-    paintMinima(track, *fighter, player);
+    if (hasCurve) {
+        paintCurve(track, fighter->input, false, withAlpha(colours_.secondText, 0.75));
+        paintCurve(track, fighter->input, true, colours_.fighterText[player]);
+        paintMinima(track, *fighter, player);
+    } else {
+        paintNote(track,
+                  tr("No contact force: this skeleton has no body that is known here. S adds "
+                     "boundaries by hand."));
+    }
     paintBoundaries(track, *fighter, player);
     painter_.restore();
+}
+
+void TrackPainter::paintNote(const Track& track, const QString& text) {
+    painter_.setPen(colours_.secondText);
+    painter_.drawText(track.plot(), Qt::AlignCenter, text);
 }
 
 void TrackPainter::paintHeader(const Track& track, int player) {

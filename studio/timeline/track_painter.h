@@ -28,6 +28,7 @@ public:
     double xOfFrame(const Fighter& fighter, double frame) const;
 
 private:
+    void paintNote(const Track& track, const QString& text);
     void paintHeader(const Track& track, int player);
     void paintAxes(const Track& track);
     void paintCurve(const Track& track, const Fighter& fighter, bool force, const QColor& colour);

@@ -41,12 +41,17 @@ FigurePose poseAt(const FighterAnalysis& fighter, int frame) {
     return pose;
 }
 
-/// Where the fighter goes during the take, with room for its body.
+/// Where the fighter goes during the take, with room for its body; of a skeleton that is no body,
+/// where its joints go.
 void addPath(Box& box, const FighterAnalysis& fighter) {
     const double floor = fighter.body ? fighter.body->floor : 0.0;
     const JointPositions& positions = fighter.motion->positions;
     const int step = std::max(1, positions.frameCount / 500);
     for (int frame = 0; frame < positions.frameCount; frame += step) {
+        for (int joint = 0; joint < positions.jointCount && !fighter.force; ++joint) {
+            box.add(placed(fighter.input, floor, positions.at(frame, joint).cast<double>()));
+        }
+        if (!fighter.force) continue;
         const Eigen::Vector3d root =
             placed(fighter.input, floor, positions.at(frame, 0).cast<double>());
         box.add({root.x() - 0.35, 0.0, root.z() - 0.35});

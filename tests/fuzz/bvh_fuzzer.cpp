@@ -1,7 +1,7 @@
 // libFuzzer on the BVH reader and writer; not built by default:
 //   clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -I. -I/usr/include/eigen3
 //       tests/fuzz/bvh_fuzzer.cpp core/formats/{bvh_reader,bvh_writer,recording,asf_reader,
-//       amc_reader}.cpp core/motion/{kinematics,motion,skeleton}.cpp
+//       amc_reader}.cpp core/motion/{euler,kinematics,motion,skeleton}.cpp
 //       core/base/{files,parallel,text}.cpp -lfmt -lcrypto -o bvh_fuzzer
 
 #include <cstdint>
