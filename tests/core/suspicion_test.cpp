@@ -89,15 +89,17 @@ TEST(Suspicion, LearnsTheOppositeToo) {
 TEST(Suspicion, AMovedBoundaryIsNoSuspect) {
     Stream stream = mixed();
     const Suspicion before = stream.rank();
-    const Suspicion after = stream.rank({{Correction::Kind::Move, 4 * 48, 4 * 48 + 3, false, false},
-                                         {Correction::Kind::Move, 8 * 48, 8 * 48 + 3, false, false}});
+    const Suspicion after =
+        stream.rank({{Correction::Kind::Move, 4 * 48, 4 * 48 + 3, false, false},
+                     {Correction::Kind::Move, 8 * 48, 8 * 48 + 3, false, false}});
     EXPECT_LT(after[15], before[15]);
 }
 
 TEST(Suspicion, IsSharedByFightersAndDeterministic) {
     Stream one = mixed(), two = mixed();
-    one.cut = segment(one.curve, one.minima, kThreshold,
-                      std::vector<Correction>{{Correction::Kind::Remove, 4 * 48, 0, false, false}}, 6);
+    one.cut =
+        segment(one.curve, one.minima, kThreshold,
+                std::vector<Correction>{{Correction::Kind::Remove, 4 * 48, 0, false, false}}, 6);
     two.cut = segment(two.curve, two.minima, kThreshold, {}, 6);
     const std::vector<SuspicionInput> inputs = {
         {one.curve, one.minima, &one.cut, one.footSpeed, kRate, kThreshold},
