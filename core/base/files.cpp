@@ -86,7 +86,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
         target.parent_path() / (".kumite-" + std::to_string(::getpid()) + ".part");
 
     const auto giveUp = [&](const std::string& what) {
-        const Error error = systemError(what, path);
+        Error error = systemError(what, path);
         ::unlink(temporary.c_str());
         return error;
     };

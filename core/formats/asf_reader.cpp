@@ -191,7 +191,7 @@ private:
 
     /// The order in which the rotations are applied: "XYZ" is about x first, R = Rz · Ry · Rx.
     std::string readAxisOrder() {
-        const std::string order = lowerCase(scanner_.peek());
+        std::string order = lowerCase(scanner_.peek());
         std::string sorted = order;
         std::sort(sorted.begin(), sorted.end());
         if (sorted != "xyz") scanner_.failHere("an order of rotations, such as XYZ");

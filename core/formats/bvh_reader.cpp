@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -130,7 +131,7 @@ private:
 
     /// All numbers up to the end or the next section, however they are spread over lines.
     std::vector<double> readNumbers(int width) {
-        constexpr std::ptrdiff_t kProgressStep = 64 * 1024;
+        constexpr std::ptrdiff_t kProgressStep = std::ptrdiff_t{64} * 1024;
         const std::string_view text = scanner_.text();
         const char* const begin = text.data();
         const char* const end = begin + text.size();
@@ -230,7 +231,7 @@ private:
             const std::size_t size =
                 static_cast<std::size_t>(frames) * static_cast<std::size_t>(columns);
             if (columns == width) {
-                motion->channels = std::move(values);
+                motion->channels = std::exchange(values, {});
                 motion->channels.resize(size);
             } else {
                 motion->channels.reserve(size);

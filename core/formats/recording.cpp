@@ -111,6 +111,7 @@ fs::path findAsf(const fs::path& amc) {
     }
     if (fitting.size() == 1) return fitting.front();
     std::vector<std::string> names;
+    names.reserve(all.size());
     for (const fs::path& asf : all)
         names.push_back(asf.filename().string());
     throw InputError(amc.string(), 0, 0,

@@ -29,7 +29,7 @@ int namedJoint(const Skeleton& skeleton, const std::string& name, const std::str
 
 /// A path that a project file can hold: absolute, links resolved, and text.
 std::filesystem::path storable(const std::filesystem::path& path) {
-    const std::filesystem::path canonical = std::filesystem::weakly_canonical(path);
+    std::filesystem::path canonical = std::filesystem::weakly_canonical(path);
     if (asStored(canonical.string()) != canonical.string()) {
         throw Error(canonical.string() +
                     ": the name holds bytes that are no UTF-8 text; rename the file or folder.");

@@ -98,7 +98,7 @@ double logistic(double x) {
 
 /// Most probable weights given the prior and the examples, by Newton's method on a convex loss.
 Vector fit(const std::vector<Example>& examples) {
-    const Vector prior = priorWeights();
+    Vector prior = priorWeights();
     double removed = 0;
     double untouched = 0;
     for (const Example& example : examples) {
