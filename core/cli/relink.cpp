@@ -1,6 +1,7 @@
 #include "core/cli/command.h"
 #include "core/formats/recording.h"
 #include "core/project/edits.h"
+#include "core/project/import.h"
 #include "core/project/project_file.h"
 
 namespace kumite::cli {
@@ -27,10 +28,8 @@ void addRelink(CLI::App& app, Action& action) {
             ReadOptions read;
             if (!o->asf.empty()) read.asf = o->asf;
             const Recording recording = readRecording(o->file, read, streams.progress("reading"));
-            RecordingRef ref = fighterAt(loaded.project, fighter).recording;
-            ref.path = std::filesystem::weakly_canonical(o->file);
-            if (!recording.asf.empty()) ref.asf = std::filesystem::weakly_canonical(recording.asf);
-            ref.sha256 = recording.sha256;
+            const RecordingRef ref =
+                referTo(recording, o->file, fighterAt(loaded.project, fighter).recording.root);
             const auto edit =
                 relinkRecording(loaded.project, fighter, ref, motionOfRoot(recording, ref.root));
             if (edit) saveProject(edit->project, o->project);

@@ -170,7 +170,7 @@ Eigen::Vector3d placed(const Fighter& fighter, double floor, const Eigen::Vector
             c * point.z() - s * point.x() + fighter.placement.z};
 }
 
-double timeOfFrame(const Fighter& fighter, int frame) {
+double timeOfFrame(const Fighter& fighter, double frame) {
     return fighter.offset + frame / fighter.rate;
 }
 

@@ -63,7 +63,7 @@ Eigen::Vector3d placed(const Fighter& fighter, double floor, const Eigen::Vector
 
 /// Seconds on the take's clock at which a fighter's frame is shown, and the frame shown at a time
 /// (nearest; clamped to the fighter's frames).
-double timeOfFrame(const Fighter& fighter, int frame);
+double timeOfFrame(const Fighter& fighter, double frame);
 int frameAtTime(const Fighter& fighter, double seconds);
 /// First and last moment of a take on its clock, seconds.
 struct TimeSpan {

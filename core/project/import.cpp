@@ -42,9 +42,7 @@ Candidate makeCandidate(const FighterRequest& request, const Recording& recordin
     Candidate candidate;
     Fighter& fighter = candidate.fighter;
     fighter.motion = motionOfRoot(recording, request.root);
-    fighter.recording = {storable(request.path),
-                         recording.asf.empty() ? recording.asf : storable(recording.asf),
-                         recording.sha256, request.root};
+    fighter.recording = referTo(recording, request.path, request.root);
     candidate.survey = surveyMotion(*fighter.motion, {request.metresPerUnit, request.up, rate});
     fighter.space = candidate.survey.space;
     fighter.rate = candidate.survey.rate;
@@ -101,6 +99,12 @@ void chooseFrames(std::vector<Candidate>& candidates, const std::optional<FrameR
 }
 
 }  // namespace
+
+RecordingRef referTo(const Recording& recording, const std::filesystem::path& path,
+                     const std::string& root) {
+    return {storable(path), recording.asf.empty() ? recording.asf : storable(recording.asf),
+            recording.sha256, root};
+}
 
 ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
     if (request.fighters.empty() || request.fighters.size() > 2) {

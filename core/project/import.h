@@ -35,6 +35,11 @@ struct TakeRequest {
     std::optional<FrameRange> trim;
 };
 
+/// How a project names a recording that was read from `path`: absolute, links resolved. Throws
+/// Error if the path is no text that a project file can hold.
+RecordingRef referTo(const Recording& recording, const std::filesystem::path& path,
+                     const std::string& root);
+
 /// A take made of recordings, and what was found on the way (each text names its file).
 struct ImportedTake {
     Take take;

@@ -10,6 +10,7 @@
 
 #include "core/project/edits.h"
 #include "core/project/export.h"
+#include "core/project/import.h"
 #include "core/project/project_file.h"
 #include "studio/app/import_dialog.h"
 #include "studio/app/message_strip.h"
@@ -169,13 +170,10 @@ void FileActions::askForMissingRecording() {
         const FighterAddress address{session_.take(), player};
         jobs_.start(
             tr("Reading %1").arg(QFileInfo(path).fileName()),
-            [path, known = fighter.recording](const Progress& progress) {
-                RecordingRef reference = known;
+            [path, root = fighter.recording.root](const Progress& progress) {
                 const Recording recording = readRecording(toPath(path), {}, progress);
-                reference.path = toPath(path);
-                reference.asf = recording.asf;
-                reference.sha256 = recording.sha256;
-                return std::pair(reference, motionOfRoot(recording, reference.root));
+                return std::pair(referTo(recording, toPath(path), root),
+                                 motionOfRoot(recording, root));
             },
             [this, address](auto found) {
                 session_.document().apply([&](const Project& project) {

@@ -31,7 +31,7 @@ TrackPainter::TrackPainter(QPainter& painter, const Session& session, const Colo
     : painter_(painter), session_(session), colours_(colours), mapping_(mapping) {}
 
 double TrackPainter::xOfFrame(const Fighter& fighter, double frame) const {
-    return mapping_.xOf(fighter.offset + frame / fighter.rate);
+    return mapping_.xOf(timeOfFrame(fighter, frame));
 }
 
 void TrackPainter::paint(const Track& track, int player) {
