@@ -79,7 +79,7 @@ void drawDetails(PlannedAction& action, const PlannedAction& before, Player& pla
         ForceDip dip;
         dip.time = action.begin + duration * random.uniform(0.46, 0.54);
         dip.width = random.uniform(0.30, 0.36);
-        dip.depth = random.uniform(0.12, 0.17);
+        dip.depth = random.uniform(0.12, 0.22);
         action.dip = dip;
     }
     action.end = action.begin + std::max(0.36, duration);

@@ -181,7 +181,7 @@ std::pair<Shape, bool> verticalShape(const Contact& c, const std::optional<Force
 void makeRoomForPeaks(std::vector<ComKnot>& knots,
                       const std::vector<std::optional<ForceDip>>& dips) {
     constexpr double kLowest = 0.32;
-    constexpr double kRise = 0.16;  // of the peak above its higher end, body weights
+    constexpr double kRise = 0.11;  // of the peak above its higher end, body weights
     for (int round = 0; round < 12; ++round) {
         for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
             const Contact c = contactOf(knots[i], knots[i + 1]);

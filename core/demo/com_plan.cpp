@@ -68,8 +68,8 @@ Wish wishAt(const PlannedAction& ending, const PlannedAction& beginning, Side le
 /// The longer an action, the smaller its swings in force: the body would bob too far otherwise.
 double lightest(const PlannedAction& a, const PlannedAction& b, Random& random) {
     const double longest = std::max(a.duration(), b.duration());
-    const double swing = 0.13 / longest * random.uniform(0.75, 1.2);
-    return 1.0 - std::clamp(swing, 0.13, 0.36);
+    const double swing = 0.13 / longest * random.uniform(0.5, 1.25);
+    return 1.0 - std::clamp(swing, 0.07, 0.36);
 }
 
 }  // namespace
