@@ -25,13 +25,8 @@ std::vector<float> fasterFootSpeed(const Fighter& fighter, const JointPositions&
         if (!joint || last < 1) continue;
         speed.resize(static_cast<std::size_t>(positions.frameCount), 0.0f);
         for (int frame = 0; frame <= last; ++frame) {
-            const int before = std::max(0, frame - 1);
-            const int after = std::min(last, frame + 1);
-            const float step = (positions.at(after, *joint) - positions.at(before, *joint)).norm();
-            const float own =
-                step * static_cast<float>(fighter.rate) / static_cast<float>(after - before);
             float& fastest = speed[static_cast<std::size_t>(frame)];
-            fastest = std::max(fastest, own);
+            fastest = std::max(fastest, jointSpeed(positions, *joint, frame, fighter.rate));
         }
     }
     return speed;
@@ -115,9 +110,11 @@ void deriveSuspicion(const Project& project, Analysis& analysis) {
             owners.push_back(&fighter);
         }
     }
-    const std::vector<Suspicion> ranked = rankSuspicion(inputs);
+    std::vector<SuspicionRanking> ranked = rankSuspicion(inputs);
     for (std::size_t i = 0; i < owners.size(); ++i) {
-        owners[i]->suspicion = std::make_shared<Suspicion>(ranked[i]);
+        owners[i]->suspicion = std::make_shared<Suspicion>(std::move(ranked[i].suspicion));
+        owners[i]->evidence =
+            std::make_shared<std::vector<SuspicionEvidence>>(std::move(ranked[i].evidence));
     }
 }
 

@@ -188,7 +188,7 @@ TEST(ProjectFile, AnotherSkeletonKeepsTheRolesByName) {
 TEST(ProjectFile, ANewerVersionIsRefused) {
     const SavedBout bout;
     std::string text = readText(bout.file);
-    text.replace(text.find("\"kumite\": 1"), 11, "\"kumite\": 2");
+    text.replace(text.find("\"kumite\": 2"), 11, "\"kumite\": 3");
     try {
         parseProject(text, "bout.kumite", "/");
         FAIL();
@@ -199,6 +199,17 @@ TEST(ProjectFile, ANewerVersionIsRefused) {
     EXPECT_THROW(parseProject("{}", "x", "/"), InputError);
     EXPECT_THROW(parseProject("[]", "x", "/"), InputError);
     EXPECT_THROW(parseProject("", "x", "/"), InputError);
+}
+
+TEST(ProjectFile, AFileOfVersionOneIsRead) {
+    const SavedBout bout;
+    const std::string now = readText(bout.file);
+    std::string text = now;
+    text.replace(text.find("\"kumite\": 2"), 11, "\"kumite\": 1");
+    const Project project = parseProject(text, "bout.kumite", bout.folder.path());
+    EXPECT_EQ(project.takes[0].fighters[0].corrections.size(), 3u);
+    EXPECT_TRUE(project.takes[0].fighters[0].notes.empty());
+    EXPECT_EQ(projectText(project, bout.folder.path()), now) << "saved as the present version";
 }
 
 TEST(ProjectFile, SyntaxErrorsNameLineAndColumn) {
@@ -233,7 +244,8 @@ TEST(ProjectFile, WrongKindsAreNamedByTheirPlace) {
     EXPECT_EQ(messageFor("\"pelvis\"", "\"tail\""),
               "b: takes[0].fighters[0].roles: \"tail\" is no joint role.");
     EXPECT_EQ(messageFor("\"remove\": 40", "\"delete\": 40"),
-              "b: takes[0].fighters[0].corrections[0]: expected \"remove\", \"add\" or \"move\".");
+              "b: takes[0].fighters[0].corrections[0]: expected \"remove\", \"add\", \"move\" or "
+              "\"keep\".");
     EXPECT_EQ(messageFor("\"frames\": [0, 200]", "\"frames\": [9, 3]"),
               "b: takes[0].fighters[0].frames: expected [begin, end] with 0 <= begin < end.");
     EXPECT_EQ(messageFor("\"offset_s\"", "\"offset\""),
