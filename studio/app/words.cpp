@@ -72,6 +72,25 @@ QString reasonText(const SuspectReason& reason) {
     return words("nothing unusual, %1").arg(prominence);
 }
 
+QString shortReasonText(const SuspectReason& reason) {
+    using Kind = SuspectReason::Kind;
+    switch (reason.kind) {
+        case Kind::SlowKick:
+            return reason.left ? words("left kick") : words("right kick");
+        case Kind::MovingFoot:
+            return reason.left ? words("left foot") : words("right foot");
+        case Kind::Shallow:
+            return words("shallow");
+        case Kind::Crowded:
+            return words("crowded");
+        case Kind::High:
+            return words("high");
+        case Kind::Unremarkable:
+            break;
+    }
+    return QStringLiteral("–");
+}
+
 QString suspicionText(const FighterAnalysis& fighter, const BoundaryMark& mark) {
     return words("%1, suspicion %2")
         .arg(reasonText(suspectReason(fighter, *mark.minimum)), percentText(mark.suspicion));

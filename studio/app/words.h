@@ -22,6 +22,8 @@ QString fighterText(int player);
 
 /// Why a minimum is suspected: "slow left kick, prominence 0.07 BW".
 QString reasonText(const SuspectReason& reason);
+/// The same in a word or two: "left kick".
+QString shortReasonText(const SuspectReason& reason);
 /// What is known about the minimum of a mark: reason and suspicion.
 QString suspicionText(const FighterAnalysis& fighter, const BoundaryMark& mark);
 /// A correction that no longer means a minimum: "removal at 0:02.350".

@@ -66,6 +66,14 @@ void MarkPainter::paintActions(const Track& track, int player) {
     const QFont font = painter_.font();
     painter_.setFont(smallFont(painter_));
     const auto& actions = fighter.segmentation->actions;
+    const auto fill = [&](const QRectF& block, double alpha) {
+        // Whole pixels: crisp, and fast where there are thousands.
+        const int left = static_cast<int>(std::lround(block.left()));
+        const int right = std::max(left + 1, static_cast<int>(std::lround(block.right())));
+        painter_.fillRect(QRect(left, static_cast<int>(block.top()), right - left,
+                                static_cast<int>(block.height())),
+                          mixed(colours_.ground, tint, alpha));
+    };
     auto first = std::partition_point(actions.begin(), actions.end(), [&](const Action& action) {
         return axis.xOf(action.end) < strip.left();
     });
@@ -79,15 +87,13 @@ void MarkPainter::paintActions(const Track& track, int player) {
             continue;
         }
         if (gathered > 0) {
-            painter_.fillRect(
-                QRectF(from - gathered, strip.top(), gathered + width, strip.height()),
-                withAlpha(tint, 0.39));
+            fill(QRectF(from - gathered, strip.top(), gathered + width, strip.height()), 0.39);
             gathered = 0;
             continue;
         }
         const auto index = first - actions.begin();
         const QRectF block(from, strip.top(), width - (width > 5 ? 1 : 0), strip.height());
-        painter_.fillRect(block, withAlpha(tint, index % 2 == 0 ? 0.50 : 0.28));
+        fill(block, index % 2 == 0 ? 0.50 : 0.28);
         if (width > 8) {
             const double peak = axis.xOf(first->peak);
             const QPointF notch[] = {
@@ -171,25 +177,26 @@ void MarkPainter::paintBoundaries(const Track& track, int player) {
     for (const std::size_t i : heaviestPerCell(xs, weights, density < 0.5 ? 2 : 1)) {
         paintBoundary(track, visible[i], xs[i], density);
     }
-    if (fighter.force) paintSuspects(track, player, visible, xs);
 }
 
-void MarkPainter::paintSuspects(const Track& track, int player,
-                                const std::vector<BoundaryMark>& marks,
-                                const std::vector<double>& xs) {
-    const auto& minima = session_.fighter(player)->force->minima;
-    std::vector<std::size_t> suspects;
+void MarkPainter::paintSuspects(const Track& track, int player) {
+    const FighterAnalysis& fighter = *session_.fighter(player);
+    const auto& minima = fighter.force->minima;
+    const SampleAxis axis = frameAxis(fighter.input, mapping_);
+    const auto [first, last] = visiblePart(session_.marks(player), axis, track.plot(),
+                                           [](const BoundaryMark& mark) { return mark.frame; });
+    std::vector<const BoundaryMark*> suspects;
     std::vector<double> places, weights;
-    for (std::size_t i = 0; i < marks.size(); ++i) {
-        if (!marks[i].isSuspect()) continue;
-        suspects.push_back(i);
-        places.push_back(xs[i]);
-        weights.push_back(marks[i].suspicion);
+    for (auto mark = first; mark != last; ++mark) {
+        if (!mark->isSuspect()) continue;
+        suspects.push_back(&*mark);
+        places.push_back(axis.xOf(mark->frame));
+        weights.push_back(mark->suspicion);
     }
     painter_.setPen(QPen(colours_.ground, 1));
     painter_.setBrush(colours_.accent);
-    for (const std::size_t kept : heaviestPerCell(places, weights, 6)) {
-        const BoundaryMark& mark = marks[suspects[kept]];
+    for (const std::size_t kept : heaviestPerCell(places, weights, 8)) {
+        const BoundaryMark& mark = *suspects[kept];
         const auto& minimum = minima[static_cast<std::size_t>(*mark.minimum)];
         const QPointF at(places[kept], track.yOfForce(minimum.force));
         const double half = 2.5 + 4.0 * mark.suspicion;
@@ -234,7 +241,7 @@ void MarkPainter::paintBoundary(const Track& track, const BoundaryMark& mark, do
     const double bottom = track.strip().bottom();
     const double pixel = std::floor(x) + 0.5;
     // Found by the machine: lighter than what a hand has set.
-    const QColor found = withAlpha(colours_.text, 0.42 * density);
+    const QColor found = mixed(colours_.ground, colours_.text, 0.42 * density);
     painter_.setBrush(Qt::NoBrush);
     switch (mark.state) {
         case MarkState::Removed: {
@@ -252,8 +259,10 @@ void MarkPainter::paintBoundary(const Track& track, const BoundaryMark& mark, do
             painter_.setPen(QPen(withAlpha(colours_.secondText, 0.6), 1));
             break;
         case MarkState::Detected:
-            painter_.setPen(QPen(found, 1));
-            break;
+            painter_.fillRect(QRect(static_cast<int>(std::floor(x)), static_cast<int>(top), 1,
+                                    static_cast<int>(bottom - top)),
+                              found);
+            return;
         case MarkState::Accepted:
             painter_.setPen(QPen(withAlpha(colours_.text, 0.8), 1));
             break;

@@ -22,6 +22,8 @@ public:
     void paintActions(const Track& track, int player);
     void paintMinima(const Track& track, int player);
     void paintBoundaries(const Track& track, int player);
+    /// Minima that are worth a look: amber, as big as the suspicion.
+    void paintSuspects(const Track& track, int player);
     /// Boundaries that only the settings compared with would give, and those that they would not.
     void paintComparison(const Track& track, int player);
     /// A selected boundary: a band and a grip.
@@ -33,8 +35,6 @@ public:
 
 private:
     void paintBoundary(const Track& track, const BoundaryMark& mark, double x, double density);
-    void paintSuspects(const Track& track, int player, const std::vector<BoundaryMark>& marks,
-                       const std::vector<double>& xs);
     void paintNoteMark(const QRectF& block);
 
     QPainter& painter_;

@@ -25,6 +25,15 @@ void NoteField::open(const ActionRef& action, const QRect& place) {
     setFocus();
 }
 
+bool NoteField::event(QEvent* event) {
+    // Return is a key of the review around it.
+    if (event->type() == QEvent::ShortcutOverride) {
+        event->accept();
+        return true;
+    }
+    return QLineEdit::event(event);
+}
+
 void NoteField::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
         finish(false);

@@ -18,6 +18,7 @@ public:
     void open(const ActionRef& action, const QRect& place);
 
 protected:
+    bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 

@@ -139,7 +139,7 @@ void TimelineView::paintEvent(QPaintEvent*) {
     const double ratio = devicePixelRatioF();
     const QSize pixels = (QSizeF(size()) * ratio).toSize();
     if (!stillValid_ || still_.size() != pixels) {
-        still_ = QPixmap(pixels);
+        if (still_.size() != pixels) still_ = QPixmap(pixels);
         still_.setDevicePixelRatio(ratio);
         QPainter painter(&still_);
         painter.setFont(font());

@@ -44,16 +44,17 @@ void TrackPainter::paint(const Track& track, int player) {
     painter_.setRenderHint(QPainter::Antialiasing);
     MarkPainter marks(painter_, session_, colours_, mapping_);
     marks.paintActions(track, player);
+    marks.paintComparison(track, player);
+    marks.paintBoundaries(track, player);
     paintCurves(track, fighter->input, player);
     if (hasCurve) {
         marks.paintMinima(track, player);
+        marks.paintSuspects(track, player);
     } else {
         paintNote(track,
                   tr("No contact force: this skeleton has no body that is known here. S adds "
                      "boundaries by hand."));
     }
-    marks.paintComparison(track, player);
-    marks.paintBoundaries(track, player);
     painter_.restore();
 }
 
@@ -67,7 +68,7 @@ void TrackPainter::paintHeader(const Track& track, int player) {
     const bool active = player == session_.activePlayer();
     if (active && session_.playerCount() > 1) {
         painter_.fillRect(QRectF(row.left(), row.top() + 1, row.width(), row.height() - 2),
-                          withAlpha(colours_.line, colours_.dark ? 0.28 : 0.30));
+                          mixed(colours_.ground, colours_.line, colours_.dark ? 0.28 : 0.30));
     }
     painter_.fillRect(QRectF(row.left(), row.top() + 1, 4, row.height() - 2),
                       colours_.fighters[player]);
@@ -179,20 +180,24 @@ void TrackPainter::paintCurves(const Track& track, const Fighter& fighter, int p
     const SampleAxis axis = frameAxis(fighter, mapping_);
     const QRectF plot = track.plot();
     const QColor own = colours_.fighterText[player];
+    // Opaque: the painter fills what shines through much more slowly.
+    const auto faint = [this](const QColor& colour, double share) {
+        return mixed(colours_.ground, colour, share);
+    };
     painter_.save();
     if (track.rawForce().size() > 0) {
         // Its noise may be higher than the axis.
         painter_.setClipRect(plot, Qt::IntersectClip);
-        paintCurve(painter_, track.rawForce(), axis, track.forceAxis(), plot, withAlpha(own, 0.35),
+        paintCurve(painter_, track.rawForce(), axis, track.forceAxis(), plot, faint(own, 0.35),
                    1.0);
     }
     painter_.restore();
     paintCurve(painter_, track.height(), axis, track.heightAxis(), plot,
-               withAlpha(colours_.secondText, 0.75), 1.0);
+               faint(colours_.secondText, 0.75), 1.0);
     for (const SpeedRow& row : track.speeds()) {
-        paintCurve(painter_, row.sides[1], axis, row.axis, row.plot, withAlpha(colours_.text, 0.45),
+        paintCurve(painter_, row.sides[1], axis, row.axis, row.plot, faint(colours_.text, 0.45),
                    1.0);
-        paintCurve(painter_, row.sides[0], axis, row.axis, row.plot, own, 1.1);
+        paintCurve(painter_, row.sides[0], axis, row.axis, row.plot, own, 1.0);
     }
     paintCurve(painter_, track.forceCurve(), axis, track.forceAxis(), plot, own, 1.4);
 }

@@ -81,7 +81,8 @@ void TransportBar::addRowChooser(CommandTable& commands, QHBoxLayout* layout) {
          {"timeline.rulerBoth", "timeline.rulerTime", "timeline.rulerFrames"}) {
         menu->addAction(commands.action(QLatin1String(command)));
     }
-    rows->setText(tr("Rows"));
+    rows->setText(tr("Rows ▾"));
+    rows->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     rows->setAccessibleName(tr("Rows of the timeline"));
     rows->setToolTip(tr("What the timeline shows: curves, speeds, units of the ruler"));
     rows->setMenu(menu);

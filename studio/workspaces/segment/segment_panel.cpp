@@ -41,7 +41,7 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
       unmatched_(new UnmatchedBox(session, this)),
       compare_(new CompareBox(session, this)) {
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 4, 8);
+    layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(5);
     layout->addWidget(heading(tr("Suspect minima"), this));
     layout->addWidget(table_, 1);
@@ -87,7 +87,7 @@ QTableView* SegmentPanel::makeTable() {
     header->setSectionResizeMode(SuspectsModel::ReasonColumn, QHeaderView::Stretch);
     const QFontMetrics metrics = fontMetrics();
     header->resizeSection(SuspectsModel::TimeColumn,
-                          metrics.horizontalAdvance(QStringLiteral("00:00.000")) + 22);
+                          metrics.horizontalAdvance(QStringLiteral("00:00.00")) + 22);
     header->resizeSection(SuspectsModel::SuspicionColumn,
                           metrics.horizontalAdvance(QStringLiteral("100 %")) + 12);
     header->setHighlightSections(false);
@@ -169,7 +169,7 @@ void SegmentPanel::showSelection() {
     remove_->setToolTip(removed ? tr("Bring the boundary back (Del)")
                                 : tr("It is spurious; goes on to the next (Backspace)"));
     if (row >= 0) {
-        reason_->setText(model_->data(model_->index(row, 0), Qt::AccessibleTextRole).toString());
+        reason_->setText(model_->toldAt(row));
     } else {
         reason_->setText(mark ? tr("A boundary that a hand has set.")
                               : tr("N leads to the most suspicious minimum."));

@@ -57,11 +57,20 @@ void SuspectsModel::refresh() {
     endResetModel();
 }
 
-QString SuspectsModel::reasonOf(int row) const {
+std::optional<SuspectReason> SuspectsModel::reasonOf(int row) const {
     const Suspect& suspect = suspectAt(row);
     const FighterAnalysis* fighter = session_.fighter(suspect.boundary.player);
-    if (fighter == nullptr || !fighter->force) return {};
-    return reasonText(suspectReason(*fighter, suspect.minimum));
+    if (fighter == nullptr || !fighter->force) return std::nullopt;
+    return suspectReason(*fighter, suspect.minimum);
+}
+
+QString SuspectsModel::toldAt(int row) const {
+    const Suspect& suspect = suspectAt(row);
+    const auto reason = reasonOf(row);
+    return tr("%1, %2: %3, suspicion %4%5")
+        .arg(fighterText(suspect.boundary.player), timeText(suspect.seconds),
+             reason ? reasonText(*reason) : QString(), percentText(suspect.suspicion),
+             stateText(suspect.state));
 }
 
 int SuspectsModel::rowOf(const BoundaryRef& boundary) const {
@@ -83,8 +92,11 @@ QVariant SuspectsModel::data(const QModelIndex& index, int role) const {
     const Colours& c = coloursFor(QGuiApplication::palette());
     switch (role) {
         case Qt::DisplayRole:
-            if (index.column() == TimeColumn) return timeText(row.seconds);
-            if (index.column() == ReasonColumn) return reasonOf(index.row());
+            if (index.column() == TimeColumn) return timeText(row.seconds, 0.01);
+            if (index.column() == ReasonColumn) {
+                const auto reason = reasonOf(index.row());
+                return reason ? shortReasonText(*reason) : QString();
+            }
             if (row.isOpen()) return percentText(row.suspicion);
             return row.state == MarkState::Removed ? QStringLiteral("×") : QStringLiteral("✓");
         case Qt::DecorationRole:
@@ -102,9 +114,7 @@ QVariant SuspectsModel::data(const QModelIndex& index, int role) const {
             return row.isOpen() ? c.text : c.secondText;
         case Qt::ToolTipRole:
         case Qt::AccessibleTextRole:
-            return tr("%1, %2: %3, suspicion %4%5")
-                .arg(fighterText(row.boundary.player), timeText(row.seconds), reasonOf(index.row()),
-                     percentText(row.suspicion), stateText(row.state));
+            return toldAt(index.row());
         default:
             return {};
     }

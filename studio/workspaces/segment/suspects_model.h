@@ -2,8 +2,10 @@
 
 #include <QAbstractTableModel>
 
+#include <optional>
 #include <vector>
 
+#include "core/project/review.h"
 #include "studio/workspaces/segment/review.h"
 
 namespace kumite::studio {
@@ -19,7 +21,10 @@ public:
 
     void refresh();
     const Suspect& suspectAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
-    QString reasonOf(int row) const;
+    /// Nothing where the fighter has no force.
+    std::optional<SuspectReason> reasonOf(int row) const;
+    /// All that is known about a row, in words.
+    QString toldAt(int row) const;
     /// -1 where the boundary is not in the list.
     int rowOf(const BoundaryRef& boundary) const;
 

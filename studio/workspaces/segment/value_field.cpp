@@ -41,6 +41,8 @@ ValueField::ValueField(const SliderScale& scale, const Look& look, QWidget* pare
     field_->setAlignment(Qt::AlignRight);
     field_->setAccessibleName(look.name);
     field_->setToolTip(look.toolTip);
+    // Fields below each other are as wide as each other.
+    field_->setFixedWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.000 BW")) + 20);
     layout->addWidget(slider_, 1);
     layout->addWidget(field_);
     connect(slider_, &QSlider::valueChanged, this, [this](int step) {
