@@ -119,9 +119,9 @@ void TrackPainter::paintForceAxis(const Track& track) {
         const double y = std::round(track.yOfForce(weight)) + 0.5;
         // One body weight is what standing still reads: the line that everything is measured by.
         const bool rest = half == 2;
-        painter_.setPen(QPen(
-            rest ? mixed(colours_.line, colours_.secondText, 0.45) : withAlpha(colours_.line, 0.8),
-            1, rest ? Qt::DashLine : Qt::SolidLine));
+        painter_.setPen(QPen(rest ? mixed(colours_.line, colours_.secondText, 0.45)
+                                  : mixed(colours_.ground, colours_.line, 0.8),
+                             1, rest ? Qt::DashLine : Qt::SolidLine));
         painter_.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         if (half % step != 0) continue;
         painter_.setPen(colours_.secondText);
@@ -146,7 +146,7 @@ void TrackPainter::paintSpeedAxis(const SpeedRow& row, int player) {
     const QFont font = painter_.font();
     painter_.setFont(smallFont(painter_));
     const double lineHeight = painter_.fontMetrics().height();
-    painter_.setPen(withAlpha(colours_.line, 0.8));
+    painter_.setPen(mixed(colours_.ground, colours_.line, 0.8));
     for (const double y : {row.plot.top(), row.plot.bottom()}) {
         const double pixel = std::round(y) + 0.5;
         painter_.drawLine(QPointF(row.plot.left(), pixel), QPointF(row.plot.right(), pixel));
