@@ -77,14 +77,9 @@ std::optional<double> floorHeight(const Skeleton& skeleton, const RoleMap& roles
 }
 
 std::vector<float> jointSpeed(const JointPositions& positions, int joint, double rate) {
-    const int last = positions.frameCount - 1;
-    std::vector<float> speed(static_cast<std::size_t>(positions.frameCount), 0.0f);
-    for (int frame = 0; last > 0 && frame <= last; ++frame) {
-        const int before = std::max(0, frame - 1);
-        const int after = std::min(last, frame + 1);
-        const float step = (positions.at(after, joint) - positions.at(before, joint)).norm();
-        speed[static_cast<std::size_t>(frame)] =
-            step * static_cast<float>(rate) / static_cast<float>(after - before);
+    std::vector<float> speed(static_cast<std::size_t>(positions.frameCount));
+    for (int frame = 0; frame < positions.frameCount; ++frame) {
+        speed[static_cast<std::size_t>(frame)] = jointSpeed(positions, joint, frame, rate);
     }
     return speed;
 }

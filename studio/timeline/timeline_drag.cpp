@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "studio/app/words.h"
+#include "core/motion/contacts.h"
 #include "studio/timeline/timeline_view.h"
 
 namespace kumite::studio {
@@ -26,6 +26,17 @@ std::vector<SnapTarget> TimelineView::snapTargets(int player) const {
     if (fighter.force) {
         for (const ForceMinimum& minimum : fighter.force->minima)
             targets.push_back({SnapKind::Minimum, minimum.frame});
+    }
+    if (fighter.input.motion) {
+        const FootContacts contacts =
+            footContacts(*fighter.input.motion->skeleton, fighter.input.roles,
+                         fighter.motion->positions, fighter.input.rate);
+        for (const auto& foot : {contacts.left, contacts.right}) {
+            for (std::size_t frame = 1; frame < foot.size(); ++frame) {
+                if (foot[frame] == foot[frame - 1]) continue;
+                targets.push_back({SnapKind::Contact, static_cast<int>(frame)});
+            }
+        }
     }
     for (int other = 0; other < session_.playerCount(); ++other) {
         if (other == player) continue;

@@ -11,13 +11,9 @@ namespace {
 
 CurvePyramid speedOf(const FighterAnalysis& fighter, std::optional<int> joint) {
     if (!joint) return {};
-    const JointPositions& positions = fighter.motion->positions;
-    std::vector<double> speeds(static_cast<std::size_t>(positions.frameCount));
-    for (int frame = 0; frame < positions.frameCount; ++frame) {
-        speeds[static_cast<std::size_t>(frame)] =
-            jointSpeed(positions, *joint, frame, fighter.input.rate);
-    }
-    return CurvePyramid(speeds);
+    const std::vector<float> speed =
+        jointSpeed(fighter.motion->positions, *joint, fighter.input.rate);
+    return CurvePyramid(std::vector<double>(speed.begin(), speed.end()));
 }
 
 }  // namespace
