@@ -9,11 +9,18 @@ namespace kumite::studio {
 
 namespace {
 
-CurvePyramid speedOf(const FighterAnalysis& fighter, std::optional<int> joint) {
+std::vector<float> speedOf(const FighterAnalysis& fighter, std::optional<int> joint) {
     if (!joint) return {};
-    const std::vector<float> speed =
-        jointSpeed(fighter.motion->positions, *joint, fighter.input.rate);
-    return CurvePyramid(std::vector<double>(speed.begin(), speed.end()));
+    return jointSpeed(fighter.motion->positions, *joint, fighter.input.rate);
+}
+
+/// The speed that all but one frame in five hundred stay below: a jump of the recording (out of its
+/// T-pose, as a rule) must not flatten the rest.
+double usualTop(std::vector<float> speeds) {
+    if (speeds.empty()) return 0.0;
+    const auto rank = speeds.begin() + static_cast<std::ptrdiff_t>((speeds.size() - 1) * 0.998);
+    std::nth_element(speeds.begin(), rank, speeds.end());
+    return *rank;
 }
 
 }  // namespace
@@ -71,9 +78,13 @@ void Track::makeSpeeds(const FighterAnalysis& fighter, const TimelineOptions& op
     const auto add = [&](bool hands, std::optional<int> left, std::optional<int> right) {
         SpeedRow row;
         row.hands = hands;
-        row.sides = {speedOf(fighter, left), speedOf(fighter, right)};
-        const double top = std::max(row.sides[0].extent().high, row.sides[1].extent().high);
-        row.axis = {0.0, std::max(1.0, std::ceil(top))};
+        double top = 1.0;
+        for (const std::size_t side : {0U, 1U}) {
+            const std::vector<float> speed = speedOf(fighter, side == 0 ? left : right);
+            top = std::max(top, usualTop(speed));
+            row.sides[side] = CurvePyramid(std::vector<double>(speed.begin(), speed.end()));
+        }
+        row.axis = {0.0, std::ceil(top)};
         speeds_.push_back(std::move(row));
     };
     const RoleMap& roles = fighter.input.roles;
@@ -86,7 +97,7 @@ void Track::makeSpeeds(const FighterAnalysis& fighter, const TimelineOptions& op
 void Track::setGeometry(const QRectF& row, double leftGutter, double rightGutter) {
     constexpr double kStripHeight = 14;
     constexpr double kTop = 6;
-    constexpr double kGap = 5;
+    constexpr double kGap = 8;
     row_ = row;
     const double bottom = row.bottom() - 4 - kStripHeight;
     const double left = row.left() + leftGutter;

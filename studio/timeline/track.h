@@ -27,7 +27,7 @@ struct ValueAxis {
 struct SpeedRow {
     bool hands = false;
     std::array<CurvePyramid, 2> sides;  ///< left, right; empty where the body has none
-    ValueAxis axis;                     ///< m/s, from 0
+    ValueAxis axis;                     ///< m/s, from 0; rare jumps of a recording go beyond
     QRectF plot;
 };
 

@@ -195,9 +195,12 @@ void TrackPainter::paintCurves(const Track& track, const Fighter& fighter, int p
     paintCurve(painter_, track.height(), axis, track.heightAxis(), plot,
                faint(colours_.secondText, 0.75), 1.0);
     for (const SpeedRow& row : track.speeds()) {
+        painter_.save();
+        painter_.setClipRect(row.plot.adjusted(0, -1, 0, 1), Qt::IntersectClip);
         paintCurve(painter_, row.sides[1], axis, row.axis, row.plot, faint(colours_.text, 0.45),
                    1.0);
         paintCurve(painter_, row.sides[0], axis, row.axis, row.plot, own, 1.0);
+        painter_.restore();
     }
     paintCurve(painter_, track.forceCurve(), axis, track.forceAxis(), plot, own, 1.4);
 }

@@ -32,6 +32,7 @@ CompareBox::CompareBox(Session& session, QWidget* parent)
       fields_(new SettingsFields(tr(" B"), this)),
       counts_(new QLabel(this)),
       use_(new QPushButton(tr("Use B"), this)) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

@@ -27,6 +27,7 @@ SettingsFields::SettingsFields(const QString& suffix, QWidget* parent)
            tr("A minimum must be at least this deep to be a boundary."), tr(" BW"), 3, 0.01, 5.0},
           this)),
       curve_(new QComboBox(this)) {
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->setSpacing(4);

@@ -67,10 +67,9 @@ std::optional<SuspectReason> SuspectsModel::reasonOf(int row) const {
 QString SuspectsModel::toldAt(int row) const {
     const Suspect& suspect = suspectAt(row);
     const auto reason = reasonOf(row);
-    return tr("%1, %2: %3, suspicion %4%5")
-        .arg(fighterText(suspect.boundary.player), timeText(suspect.seconds),
-             reason ? reasonText(*reason) : QString(), percentText(suspect.suspicion),
-             stateText(suspect.state));
+    return tr("%1: %2, suspicion %3%4")
+        .arg(fighterText(suspect.boundary.player), reason ? reasonText(*reason) : QString(),
+             percentText(suspect.suspicion), stateText(suspect.state));
 }
 
 int SuspectsModel::rowOf(const BoundaryRef& boundary) const {
@@ -114,7 +113,7 @@ QVariant SuspectsModel::data(const QModelIndex& index, int role) const {
             return row.isOpen() ? c.text : c.secondText;
         case Qt::ToolTipRole:
         case Qt::AccessibleTextRole:
-            return toldAt(index.row());
+            return tr("%1, %2").arg(timeText(row.seconds), toldAt(index.row()));
         default:
             return {};
     }

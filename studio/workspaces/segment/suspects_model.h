@@ -23,7 +23,7 @@ public:
     const Suspect& suspectAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
     /// Nothing where the fighter has no force.
     std::optional<SuspectReason> reasonOf(int row) const;
-    /// All that is known about a row, in words.
+    /// What is known about a row, in words.
     QString toldAt(int row) const;
     /// -1 where the boundary is not in the list.
     int rowOf(const BoundaryRef& boundary) const;
