@@ -35,8 +35,8 @@ struct RecordingRef {
     bool operator==(const RecordingRef&) const = default;
 };
 
-/// What a user wrote about an action: it belongs to the action that holds `frame` (its peak when the
-/// note was written), wherever boundaries go.
+/// What a user wrote about an action: it belongs to the action that holds `frame` (its peak when
+/// the note was written), wherever boundaries go.
 struct ActionNote {
     int frame = 0;  ///< of the take
     std::string text;

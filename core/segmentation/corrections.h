@@ -12,8 +12,8 @@ namespace kumite {
 /// Move: the minimum at `frame` is a boundary that stands at `to`.
 /// Keep: the minimum at `frame` was looked at and is a boundary, whatever the threshold says.
 ///
-/// Remove, Move and Keep refer to a minimum by nearness, within 0.1 s, so that a correction survives a
-/// change of cutoff or threshold.
+/// Remove, Move and Keep refer to a minimum by nearness, within 0.1 s, so that a correction
+/// survives a change of cutoff or threshold.
 struct Correction {
     enum class Kind { Remove, Add, Move, Keep };
 

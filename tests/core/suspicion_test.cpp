@@ -105,7 +105,8 @@ TEST(Suspicion, IsSharedByFightersAndDeterministic) {
         {one.curve, one.minima, &one.cut, one.footSpeed, kRate, kThreshold},
         {two.curve, two.minima, &two.cut, two.footSpeed, kRate, kThreshold}};
     const auto ranked = rankSuspicion(inputs);
-    EXPECT_GT(ranked[1].suspicion[15], mixed().rank()[15]) << "what was said of one is learned for both";
+    EXPECT_GT(ranked[1].suspicion[15], mixed().rank()[15])
+        << "what was said of one is learned for both";
     EXPECT_EQ(ranked[1].suspicion, rankSuspicion(inputs)[1].suspicion);
     EXPECT_TRUE(rankSuspicion({}).empty());
 }
