@@ -76,6 +76,14 @@ std::optional<double> floorHeight(const Skeleton& skeleton, const RoleMap& roles
     return floor;
 }
 
+std::vector<float> jointSpeed(const JointPositions& positions, int joint, double rate) {
+    std::vector<float> speed(static_cast<std::size_t>(positions.frameCount));
+    for (int frame = 0; frame < positions.frameCount; ++frame) {
+        speed[static_cast<std::size_t>(frame)] = jointSpeed(positions, joint, frame, rate);
+    }
+    return speed;
+}
+
 FootSkate measureFootSkate(std::span<const Eigen::Vector3f> leftToe,
                            std::span<const Eigen::Vector3f> rightToe, double rate, double floor) {
     FootSkate skate;

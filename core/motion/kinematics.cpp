@@ -1,5 +1,6 @@
 #include "core/motion/kinematics.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <numbers>
@@ -115,6 +116,14 @@ Eigen::Matrix3d localRotation(const Joint& joint, std::span<const double> frameC
                     frameChannels[static_cast<std::size_t>(joint.firstChannel) + c], rotation);
     }
     return rotation * joint.rotationFrame.transpose();
+}
+
+float jointSpeed(const JointPositions& positions, int joint, int frame, double rate) {
+    const int before = std::max(0, frame - 1);
+    const int after = std::min(positions.frameCount - 1, frame + 1);
+    if (after <= before) return 0.0f;
+    const float way = (positions.at(after, joint) - positions.at(before, joint)).norm();
+    return way * static_cast<float>(rate) / static_cast<float>(after - before);
 }
 
 }  // namespace kumite

@@ -47,6 +47,10 @@ struct JointPositions {
 JointPositions forwardKinematics(const Motion& motion, FrameRange frames,
                                  const SpaceConvention& space, const Progress& progress = {});
 
+/// Speed of a joint at a frame, central differences (one-sided at the ends), m/s; 0 in a single
+/// frame.
+float jointSpeed(const JointPositions& positions, int joint, int frame, double rate);
+
 /// The joint's own rotation at one frame, in the file's axes: F · R(channels) · Fᵀ.
 Eigen::Matrix3d localRotation(const Joint& joint, std::span<const double> frameChannels);
 

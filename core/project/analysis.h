@@ -38,6 +38,8 @@ struct FighterAnalysis {
     std::shared_ptr<const FighterForce> force;
     std::shared_ptr<const Segmentation> segmentation;
     std::shared_ptr<const Suspicion> suspicion;  ///< one per minimum
+    /// Why; one per minimum.
+    std::shared_ptr<const std::vector<SuspicionEvidence>> evidence;
 
     bool available() const { return motion != nullptr; }
     int frameCount() const { return motion ? motion->positions.frameCount : 0; }

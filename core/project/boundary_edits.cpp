@@ -2,88 +2,13 @@
 #include <cmath>
 #include <cstdlib>
 
-#include <fmt/format.h>
-
-#include "core/base/error.h"
-#include "core/project/edits.h"
+#include "core/project/boundary_subject.h"
 
 namespace kumite {
+
+using namespace detail;
+
 namespace {
-
-/// The fighter that an edit is about, with all that the edit looks at.
-struct Subject {
-    const Fighter& fighter;
-    const FighterAnalysis& values;
-    const Segmentation& segmentation;
-    double reach;
-    int player;
-
-    Subject(const Project& project, const Analysis& analysis, FighterAddress address)
-        : fighter(fighterAt(project, address)),
-          values(analysis.at(address)),
-          segmentation(require(values)),
-          reach(kCorrectionReach * fighter.rate),
-          player(address.player + 1) {}
-
-    static const Segmentation& require(const FighterAnalysis& values) {
-        if (values.segmentation) return *values.segmentation;
-        throw Error(values.input.recording.path.string() +
-                    ": the recording is missing; its boundaries cannot be edited.");
-    }
-
-    const ForceMinimum& minimum(int index) const {
-        return values.force->minima[static_cast<std::size_t>(index)];
-    }
-    std::string at(int frame) const {
-        return fmt::format("at {:.2f} s, fighter {}", frame / fighter.rate, player);
-    }
-};
-
-/// The boundary that a user means by a frame: the nearest within reach.
-const Boundary& boundaryNear(const Subject& subject, int frame) {
-    const std::vector<Boundary>& all = subject.segmentation.boundaries;
-    const auto nearest =
-        std::min_element(all.begin(), all.end(), [&](const Boundary& a, const Boundary& b) {
-            return std::abs(a.frame - frame) < std::abs(b.frame - frame);
-        });
-    if (nearest == all.end() || std::abs(nearest->frame - frame) > subject.reach) {
-        throw Error(fmt::format(
-            "Fighter {} has no boundary near frame {}{}.", subject.player, frame,
-            nearest == all.end() ? std::string()
-                                 : fmt::format("; the nearest is at {}", nearest->frame)));
-    }
-    if (nearest->source == BoundarySource::End) {
-        throw Error(fmt::format("The boundary at frame {} is an end of the take, which stays.",
-                                nearest->frame));
-    }
-    return *nearest;
-}
-
-/// Whether a boundary other than `own`, not an end, stands within reach of a frame.
-bool standsBesideAnother(const Subject& subject, int frame, std::optional<int> own) {
-    return std::any_of(subject.segmentation.boundaries.begin(),
-                       subject.segmentation.boundaries.end(), [&](const Boundary& boundary) {
-                           return boundary.source != BoundarySource::End && boundary.frame != own &&
-                                  std::abs(boundary.frame - frame) <= subject.reach;
-                       });
-}
-
-Edit withCorrections(const Project& project, FighterAddress address,
-                     std::vector<Correction> corrections, std::string name) {
-    Edit edit{project, std::move(name)};
-    fighterAt(edit.project, address).corrections = std::move(corrections);
-    return edit;
-}
-
-/// The correction (its index) of a kind that means a minimum.
-std::optional<std::size_t> correctionOf(const Subject& subject, Correction::Kind kind,
-                                        int minimum) {
-    const std::vector<Correction>& corrections = subject.fighter.corrections;
-    for (std::size_t i = 0; i < corrections.size(); ++i) {
-        if (corrections[i].kind == kind && subject.segmentation.meant[i] == minimum) return i;
-    }
-    return std::nullopt;
-}
 
 /// The addition at a frame that is there, or that was removed.
 std::optional<std::size_t> additionAt(const Subject& subject, int frame, bool removed) {
@@ -108,12 +33,6 @@ void keepAdditionsApart(const Subject& subject, int minimumFrame,
             corrections[i].beside = true;
         }
     }
-}
-
-bool standsAt(const Subject& subject, int frame) {
-    return std::any_of(subject.segmentation.boundaries.begin(),
-                       subject.segmentation.boundaries.end(),
-                       [&](const Boundary& boundary) { return boundary.frame == frame; });
 }
 
 }  // namespace
@@ -216,19 +135,6 @@ MaybeEdit moveBoundary(const Project& project, const Analysis& analysis, Fighter
     }
     return withCorrections(project, address, std::move(corrections),
                            "Move boundary " + subject.at(to));
-}
-
-MaybeEdit dropUnmatchedCorrections(const Project& project, const Analysis& analysis,
-                                   FighterAddress address) {
-    const Subject subject(project, analysis, address);
-    const std::vector<Correction>& unmatched = subject.segmentation.unmatched;
-    if (unmatched.empty()) return std::nullopt;
-    std::vector<Correction> corrections = subject.fighter.corrections;
-    std::erase_if(corrections, [&](const Correction& correction) {
-        return std::find(unmatched.begin(), unmatched.end(), correction) != unmatched.end();
-    });
-    return withCorrections(project, address, std::move(corrections),
-                           fmt::format("Forget corrections, fighter {}", subject.player));
 }
 
 }  // namespace kumite

@@ -32,9 +32,29 @@ MaybeEdit addBoundary(const Project& project, const Analysis& analysis, FighterA
 /// neighbours.
 MaybeEdit moveBoundary(const Project& project, const Analysis& analysis, FighterAddress fighter,
                        int from, int to);
-/// Forgets the corrections that no longer mean any minimum.
+/// Says that the detected boundary nearest to `frame` within 0.1 s is right: it is no suspect any
+/// more and stays whatever the threshold. Nothing to do for one that a hand has set.
+MaybeEdit acceptBoundary(const Project& project, const Analysis& analysis, FighterAddress fighter,
+                         int frame);
+/// Takes that back.
+MaybeEdit withdrawAcceptance(const Project& project, const Analysis& analysis,
+                             FighterAddress fighter, int frame);
+/// Forgets one correction that no longer means any minimum, or all of them.
+MaybeEdit forgetCorrection(const Project& project, const Analysis& analysis, FighterAddress fighter,
+                           const Correction& correction);
 MaybeEdit dropUnmatchedCorrections(const Project& project, const Analysis& analysis,
                                    FighterAddress fighter);
+
+/// Puts a boundary by hand where a correction that no longer means any minimum had one.
+MaybeEdit addBoundaryOfCorrection(const Project& project, const Analysis& analysis,
+                                  FighterAddress fighter, const Correction& correction);
+
+// Notes.
+
+/// Writes the note of the action that holds `frame`, at its peak; no text removes it. What was
+/// noted there before is replaced.
+MaybeEdit setNote(const Project& project, const Analysis& analysis, FighterAddress fighter,
+                  int frame, const std::string& text);
 
 // Settings.
 

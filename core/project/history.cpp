@@ -15,6 +15,18 @@ void History::commit(Edit edit) {
     ++at_;
 }
 
+void History::amend(Edit edit) {
+    assert(at_ > 0);
+    if (saved_ != kNever && saved_ >= at_) saved_ = kNever;
+    steps_.resize(at_ + 1);
+    if (edit.project == steps_[at_ - 1].project) {
+        steps_.pop_back();
+        --at_;
+    } else {
+        steps_[at_] = {std::move(edit.project), std::move(edit.name)};
+    }
+}
+
 std::string History::undoName() const {
     return canUndo() ? steps_[at_].name : std::string();
 }

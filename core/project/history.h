@@ -21,6 +21,10 @@ public:
     const Project& current() const { return steps_[at_].project; }
     /// Makes the edit the current step; steps that were undone are gone.
     void commit(Edit edit);
+    /// Makes the edit the current step instead of the one that is, as while a slider moves: one
+    /// undo takes all of it back. Led back to the step before, there is no step. The first step
+    /// cannot be amended.
+    void amend(Edit edit);
 
     bool canUndo() const { return at_ > 0; }
     bool canRedo() const { return at_ + 1 < steps_.size(); }

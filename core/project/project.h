@@ -35,6 +35,15 @@ struct RecordingRef {
     bool operator==(const RecordingRef&) const = default;
 };
 
+/// What a user wrote about an action: it belongs to the action that holds `frame` (its peak when
+/// the note was written), wherever boundaries go.
+struct ActionNote {
+    int frame = 0;  ///< of the take
+    std::string text;
+
+    bool operator==(const ActionNote&) const = default;
+};
+
 /// One fighter of a take: a recording and how it is read.
 struct Fighter {
     RecordingRef recording;
@@ -50,6 +59,7 @@ struct Fighter {
     /// Names of the roles' joints, as the project file knows them, while the recording is missing.
     std::map<Role, std::string> roleNames;
     std::vector<Correction> corrections;
+    std::vector<ActionNote> notes;  ///< in order of frames
 
     /// The recording's motion, or null where it is missing. Not part of the file.
     std::shared_ptr<const Motion> motion;

@@ -29,6 +29,8 @@ Json correctionJson(const Correction& correction) {
             return {{"remove", correction.frame}};
         case Correction::Kind::Move:
             return {{"move", correction.frame}, {"to", correction.to}};
+        case Correction::Kind::Keep:
+            return {{"keep", correction.frame}};
         case Correction::Kind::Add:
             break;
     }
@@ -78,6 +80,12 @@ Json fighterJson(const Fighter& fighter, const std::filesystem::path& folder) {
     if (fighter.floor) json["floor_m"] = *fighter.floor;
     json["roles"] = rolesJson(fighter);
     json["corrections"] = std::move(corrections);
+    if (!fighter.notes.empty()) {
+        Json notes = Json::array();
+        for (const ActionNote& note : fighter.notes)
+            notes.push_back({{"frame", note.frame}, {"text", asStored(note.text)}});
+        json["notes"] = std::move(notes);
+    }
     return json;
 }
 
@@ -115,8 +123,11 @@ Correction readCorrection(const JsonReader& json) {
         correction.kind = Correction::Kind::Move;
         correction.frame = json["move"].integer();
         correction.to = json["to"].integer();
+    } else if (json.has("keep")) {
+        correction.kind = Correction::Kind::Keep;
+        correction.frame = json["keep"].integer();
     } else {
-        throw json.error("expected \"remove\", \"add\" or \"move\"");
+        throw json.error("expected \"remove\", \"add\", \"move\" or \"keep\"");
     }
     return correction;
 }
@@ -169,6 +180,13 @@ Fighter readFighter(const JsonReader& json, const std::filesystem::path& folder)
     for (std::size_t i = 0; i < corrections.size(); ++i) {
         fighter.corrections.push_back(readCorrection(corrections.at(i)));
     }
+    if (json.has("notes")) {
+        const JsonReader notes = json["notes"];
+        for (std::size_t i = 0; i < notes.size(); ++i) {
+            const JsonReader note = notes.at(i);
+            fighter.notes.push_back({note["frame"].integer(), note["text"].text()});
+        }
+    }
     return fighter;
 }
 
@@ -201,7 +219,10 @@ BodyModel bodyModelFrom(const JsonReader& json) {
 /// Brings the JSON of an older version up to date: step i makes version i + 2 of version i + 1.
 /// A change of the format adds its step here and a file of the old version to the tests.
 using MigrationStep = void (*)(Json&);
-constexpr std::array<MigrationStep, kProjectVersion - 1> kMigrations{};
+constexpr std::array<MigrationStep, kProjectVersion - 1> kMigrations{
+    // 2: corrections may be "keep", fighters may have "notes"; what was there means the same.
+    [](Json&) {},
+};
 
 void migrate(Json& json, int version) {
     for (auto step = static_cast<std::size_t>(version - 1); step < kMigrations.size(); ++step) {

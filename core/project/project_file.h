@@ -11,7 +11,7 @@
 namespace kumite {
 
 /// Version that this program writes. Older files are migrated on reading, newer ones refused.
-inline constexpr int kProjectVersion = 1;
+inline constexpr int kProjectVersion = 2;
 
 /// Text of a project file: JSON, stable key order, one line per short value; recording paths
 /// relative to `folder` where they can be.

@@ -9,6 +9,8 @@
 
 #include "core/base/error.h"
 #include "core/formats/tables.h"
+#include "core/project/notes.h"
+#include "core/project/review.h"
 
 namespace kumite {
 namespace {
@@ -41,6 +43,10 @@ Json minimaJson(const FighterAnalysis& fighter, double threshold, bool all) {
                       {"prominence", rounded(minimum.prominence)},
                       {"kept", cuts},
                       {"suspicion", rounded((*fighter.suspicion)[i])}};
+        if (minimum.prominence >= threshold) {
+            entry["reason"] = reasonName(suspectReason(fighter, static_cast<int>(i)).kind);
+        }
+        if (cuts && boundary->source == BoundarySource::Accepted) entry["accepted"] = true;
         if (cuts && boundary->frame != minimum.frame) entry["moved_to"] = boundary->frame;
         list.push_back(std::move(entry));
     }
@@ -61,6 +67,8 @@ Json playerJson(const FighterAnalysis& fighter, double threshold, const ReportOp
                       {"end_s", rounded(action.end / fighter.input.rate)},
                       {"peak_force", nullptr}};
         if (const auto force = peakForce(fighter, action)) entry["peak_force"] = rounded(*force);
+        const std::string note = noteOf(fighter.input.notes, segmentation, action);
+        if (!note.empty()) entry["note"] = note;
         actions.push_back(std::move(entry));
     }
     Json added = Json::array();
@@ -131,7 +139,7 @@ Findings smoothingFindings(const Project& project, const Analysis& analysis) {
 }
 
 std::string actionsCsv(const Project& project, const Analysis& analysis, std::optional<int> take) {
-    std::string text = "take,player,action,begin,end,peak,begin_s,end_s,peak_force\n";
+    std::string text = "take,player,action,begin,end,peak,begin_s,end_s,peak_force,note\n";
     auto out = std::back_inserter(text);
     forTakes(project, take, [&](std::size_t t) {
         for (std::size_t player = 0; player < analysis.takes[t].size(); ++player) {
@@ -140,11 +148,12 @@ std::string actionsCsv(const Project& project, const Analysis& analysis, std::op
             for (std::size_t i = 0; i < fighter.segmentation->actions.size(); ++i) {
                 const Action& action = fighter.segmentation->actions[i];
                 const auto force = peakForce(fighter, action);
-                fmt::format_to(out, "{},{},{},{},{},{},{:.6f},{:.6f},{}\n",
-                               csvField(project.takes[t].name), player + 1, i, action.begin,
-                               action.end, action.peak, action.begin / fighter.input.rate,
-                               action.end / fighter.input.rate,
-                               force ? fmt::format("{:.6f}", *force) : std::string());
+                fmt::format_to(
+                    out, "{},{},{},{},{},{},{:.6f},{:.6f},{},{}\n", csvField(project.takes[t].name),
+                    player + 1, i, action.begin, action.end, action.peak,
+                    action.begin / fighter.input.rate, action.end / fighter.input.rate,
+                    force ? fmt::format("{:.6f}", *force) : std::string(),
+                    csvField(noteOf(fighter.input.notes, *fighter.segmentation, action)));
             }
         }
     });

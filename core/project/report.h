@@ -24,7 +24,7 @@ std::string segmentationJson(const Project& project, const Analysis& analysis,
 /// their rate.
 Findings smoothingFindings(const Project& project, const Analysis& analysis);
 
-/// The actions as CSV: `take,player,action,begin,end,peak,begin_s,end_s,peak_force`.
+/// The actions as CSV: `take,player,action,begin,end,peak,begin_s,end_s,peak_force,note`.
 std::string actionsCsv(const Project& project, const Analysis& analysis, std::optional<int> take);
 
 /// `frame,time,com_x,com_y,com_z,fx,fy,fz,norm`: smoothed centre of mass in metres, force in body

@@ -12,6 +12,7 @@ struct MinimumState {
     bool kept = false;                   ///< prominent enough to be a boundary by itself
     std::optional<std::size_t> remover;  ///< the correction that removed it
     std::optional<std::size_t> mover;    ///< the correction that moved it
+    std::optional<std::size_t> keeper;   ///< the correction that accepted it
     std::optional<std::size_t> adder;    ///< the added boundary that stands for it
 };
 
@@ -39,6 +40,8 @@ public:
             const Correction& correction = corrections[i];
             if (correction.kind == Correction::Kind::Remove) {
                 claim(correction.frame, i, &MinimumState::remover);
+            } else if (correction.kind == Correction::Kind::Keep) {
+                claim(correction.frame, i, &MinimumState::keeper);
             } else if (correction.kind == Correction::Kind::Move && isInside(correction.to)) {
                 claim(correction.frame, i, &MinimumState::mover);
             } else if (correction.kind == Correction::Kind::Move || !isInside(correction.frame)) {
@@ -111,13 +114,15 @@ std::vector<Candidate> candidates(const Matcher& matcher, std::span<const ForceM
     for (std::size_t i = 0; i < minima.size(); ++i) {
         const MinimumState& state = matcher.states[i];
         const int index = static_cast<int>(i);
-        if (state.adder || (!state.kept && !state.mover)) continue;
+        if (state.adder || (!state.kept && !state.mover && !state.keeper)) continue;
         const int frame = state.mover ? corrections[*state.mover].to : minima[i].frame;
         if (state.remover) {
             result.removed.push_back({frame, index});
         } else {
-            const auto source = state.mover ? BoundarySource::Moved : BoundarySource::Detected;
-            all.push_back({{frame, source, index}, state.mover});
+            const auto source = state.mover    ? BoundarySource::Moved
+                                : state.keeper ? BoundarySource::Accepted
+                                               : BoundarySource::Detected;
+            all.push_back({{frame, source, index}, state.mover ? state.mover : state.keeper});
         }
     }
     return all;
@@ -161,8 +166,26 @@ std::string correctionText(const Correction& correction) {
             return "add " + frame + (correction.removed ? " (removed)" : "");
         case Correction::Kind::Move:
             return "move " + frame + " to " + std::to_string(correction.to);
+        case Correction::Kind::Keep:
+            return "keep " + frame;
     }
     return {};
+}
+
+std::optional<int> boundaryOf(const Correction& correction) {
+    if (correction.kind == Correction::Kind::Remove || correction.removed) return std::nullopt;
+    return correction.kind == Correction::Kind::Move ? correction.to : correction.frame;
+}
+
+const Action* actionAt(const Segmentation& segmentation, int frame) {
+    const auto& actions = segmentation.actions;
+    if (actions.empty() || frame < actions.front().begin || frame > actions.back().end) {
+        return nullptr;
+    }
+    const auto after =
+        std::upper_bound(actions.begin(), actions.end(), frame,
+                         [](int f, const Action& action) { return f < action.begin; });
+    return &*std::prev(after);
 }
 
 Segmentation segment(std::span<const double> curve, std::span<const ForceMinimum> minima,

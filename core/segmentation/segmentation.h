@@ -9,8 +9,8 @@
 
 namespace kumite {
 
-/// Where a boundary comes from.
-enum class BoundarySource { End, Detected, Moved, Added };
+/// Where a boundary comes from. Accepted: detected, and a hand said that it is right.
+enum class BoundarySource { End, Detected, Accepted, Moved, Added };
 
 /// A frame at which one action ends and the next begins; it belongs to both.
 struct Boundary {
@@ -48,23 +48,26 @@ struct Segmentation {
     std::vector<RemovedBoundary> removed;  ///< what a hand took away and can bring back
     std::vector<Correction> unmatched;     ///< corrections that are without effect now
     /// For each correction, in their order, the index of the minimum that it means: that is
-    /// removed, moved, or that an added boundary stands for.
+    /// removed, moved, accepted, or that an added boundary stands for.
     std::vector<std::optional<int>> meant;
 
     bool operator==(const Segmentation&) const = default;
 };
+
+/// The action that holds a frame, the later one at a boundary between two; null outside the take.
+const Action* actionAt(const Segmentation& segmentation, int frame);
 
 /// Boundaries = first frame, last frame, every minimum whose prominence reaches `threshold` (body
 /// weights), and the corrections (method A2). `minima` are all minima of `curve`; `reach` is how
 /// far a correction may look for its minimum, in frames. A curve of one frame gives one action
 /// that begins and ends there; an empty curve gives nothing.
 ///
-/// A removal or a move means the nearest minimum within reach that no other removal (move) means;
-/// one that cuts counts as half as far, because noise may be nearer than the minimum that was
-/// meant. An added boundary stands for the nearest minimum within reach that cuts and that no hand
-/// removed or moved, unless it was added beside another on purpose: so it is not cut twice when a
-/// lower threshold finds the minimum. Corrections that mean nothing any more, or whose boundary
-/// falls on another one's frame, are listed in `unmatched`.
+/// A removal, a move or an acceptance means the nearest minimum within reach that no other of its
+/// kind means; one that cuts counts as half as far, because noise may be nearer than the minimum
+/// that was meant. An added boundary stands for the nearest minimum within reach that cuts and that
+/// no hand removed or moved, unless it was added beside another on purpose: so it is not cut twice
+/// when a lower threshold finds the minimum. Corrections that mean nothing any more, or whose
+/// boundary falls on another one's frame, are listed in `unmatched`.
 Segmentation segment(std::span<const double> curve, std::span<const ForceMinimum> minima,
                      double threshold, std::span<const Correction> corrections, double reach);
 

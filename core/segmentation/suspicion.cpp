@@ -86,8 +86,11 @@ std::vector<Example> examplesOf(const SuspicionInput& input, std::size_t fighter
         if (removed.minimum) judge(*removed.minimum, 1.0);
     }
     for (const Boundary& boundary : input.segmentation->boundaries) {
-        // A hand that moved a boundary meant it to be one.
-        if (boundary.source == BoundarySource::Moved) judge(*boundary.minimum, 0.0);
+        // A hand that moved a boundary meant it to be one, as one that accepted it.
+        if (boundary.source == BoundarySource::Moved ||
+            boundary.source == BoundarySource::Accepted) {
+            judge(*boundary.minimum, 0.0);
+        }
     }
     return examples;
 }
@@ -131,18 +134,22 @@ Vector fit(const std::vector<Example>& examples) {
 
 }  // namespace
 
-std::vector<Suspicion> rankSuspicion(std::span<const SuspicionInput> fighters) {
+std::vector<SuspicionRanking> rankSuspicion(std::span<const SuspicionInput> fighters) {
     std::vector<Example> examples;
-    std::vector<Suspicion> result;
+    std::vector<SuspicionRanking> result;
     for (std::size_t i = 0; i < fighters.size(); ++i) {
         const std::vector<Example> own = examplesOf(fighters[i], i);
         examples.insert(examples.end(), own.begin(), own.end());
-        result.emplace_back(fighters[i].minima.size(), 0.0);
+        const std::size_t count = fighters[i].minima.size();
+        result.push_back({Suspicion(count, 0.0), std::vector<SuspicionEvidence>(count)});
     }
     const Vector weights = fit(examples);
     for (const Example& example : examples) {
-        result[example.fighter][static_cast<std::size_t>(example.minimum)] =
-            logistic(weights.dot(example.features));
+        const auto minimum = static_cast<std::size_t>(example.minimum);
+        SuspicionRanking& ranking = result[example.fighter];
+        ranking.suspicion[minimum] = logistic(weights.dot(example.features));
+        const Vector shares = weights.cwiseProduct(example.features);
+        ranking.evidence[minimum] = {shares[1], shares[2], shares[3], shares[4]};
     }
     return result;
 }

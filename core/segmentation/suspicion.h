@@ -12,6 +12,25 @@ namespace kumite {
 /// threshold get 0 (they cut nothing).
 using Suspicion = std::vector<double>;
 
+/// From this suspicion on a minimum is worth a look: it is marked, counted and led to.
+inline constexpr double kSuspect = 0.15;
+
+/// What makes a minimum more suspicious than an everyday one (negative: less), in log-odds as the
+/// model weighs it: that it is shallow, that its force is high, that others are near, that a foot
+/// moves.
+struct SuspicionEvidence {
+    double shallow = 0;
+    double high = 0;
+    double crowded = 0;
+    double footMoving = 0;
+};
+
+/// What is thought of a fighter's minima, one entry per minimum.
+struct SuspicionRanking {
+    Suspicion suspicion;
+    std::vector<SuspicionEvidence> evidence;
+};
+
 /// What is known about a fighter when minima are judged.
 struct SuspicionInput {
     std::span<const double> curve;  ///< body weights
@@ -23,8 +42,8 @@ struct SuspicionInput {
 };
 
 /// Logistic regression on prominence, depth, distance to the neighbours and foot speed (a slow
-/// kick is the usual culprit), started from a prior and fitted to what hands removed or moved in
-/// all `fighters` together. Deterministic. One result per input.
-std::vector<Suspicion> rankSuspicion(std::span<const SuspicionInput> fighters);
+/// kick is the usual culprit), started from a prior and fitted to what hands removed, moved or
+/// accepted in all `fighters` together. Deterministic. One result per input.
+std::vector<SuspicionRanking> rankSuspicion(std::span<const SuspicionInput> fighters);
 
 }  // namespace kumite

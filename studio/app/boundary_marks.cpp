@@ -14,6 +14,8 @@ MarkState stateOf(BoundarySource source) {
             return MarkState::End;
         case BoundarySource::Detected:
             return MarkState::Detected;
+        case BoundarySource::Accepted:
+            return MarkState::Accepted;
         case BoundarySource::Moved:
             return MarkState::Moved;
         case BoundarySource::Added:

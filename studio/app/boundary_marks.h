@@ -8,7 +8,7 @@
 namespace kumite::studio {
 
 /// What a boundary on the timeline is. Removed ones are shown as ghosts that can be restored.
-enum class MarkState { End, Detected, Moved, Added, Removed };
+enum class MarkState { End, Detected, Accepted, Moved, Added, Removed };
 
 /// A boundary of one fighter, kept or removed, as the views show it.
 struct BoundaryMark {
@@ -18,6 +18,10 @@ struct BoundaryMark {
     double suspicion = 0;        ///< of that minimum, 0…1
 
     bool isLive() const { return state != MarkState::Removed; }
+    /// A minimum that nobody has judged yet.
+    bool isOpen() const { return state == MarkState::Detected; }
+    /// An open one that is worth a look.
+    bool isSuspect() const { return isOpen() && suspicion >= kSuspect; }
     bool isEditable() const { return state != MarkState::End; }
 };
 

@@ -8,7 +8,7 @@ namespace kumite::studio {
 
 namespace {
 
-/// Whether nothing but corrections differs from what was analysed: such an analysis takes
+/// Whether nothing but corrections and notes differs from what was analysed: such an analysis takes
 /// milliseconds.
 bool onlyCorrectionsDiffer(const Analysis& analysis, const Project& project) {
     if (!(analysis.settings == project.segmentation) ||
@@ -22,6 +22,7 @@ bool onlyCorrectionsDiffer(const Analysis& analysis, const Project& project) {
         for (std::size_t player = 0; player < fighters.size(); ++player) {
             Fighter seen = analysis.takes[take][player].input;
             seen.corrections = fighters[player].corrections;
+            seen.notes = fighters[player].notes;
             if (!(seen == fighters[player])) return false;
         }
     }
@@ -59,11 +60,15 @@ void Document::markSaved(const QString& path) {
     Q_EMIT changed();
 }
 
-bool Document::commit(const std::function<MaybeEdit()>& edit) {
+bool Document::commit(const std::function<MaybeEdit()>& edit, bool amends) {
     try {
         MaybeEdit result = edit();
         if (!result) return false;
-        history_.commit(std::move(*result));
+        if (amends) {
+            history_.amend(std::move(*result));
+        } else {
+            history_.commit(std::move(*result));
+        }
     } catch (const std::exception& error) {
         Q_EMIT failed(QString::fromUtf8(error.what()));
         return false;
@@ -74,6 +79,10 @@ bool Document::commit(const std::function<MaybeEdit()>& edit) {
 
 bool Document::apply(const ProjectEdit& edit) {
     return commit([&] { return edit(project()); });
+}
+
+bool Document::amend(const ProjectEdit& edit) {
+    return commit([&] { return edit(project()); }, true);
 }
 
 bool Document::apply(const BoundaryEdit& edit) {

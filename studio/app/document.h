@@ -42,6 +42,8 @@ public:
     /// Commits what the function returns; false where it changed nothing or failed (then
     /// `failed` says why).
     bool apply(const ProjectEdit& edit);
+    /// The same, but replaces the last step, as while a slider moves; see History::amend.
+    bool amend(const ProjectEdit& edit);
     /// The same for edits that need the analysis, which is brought up to date first.
     bool apply(const BoundaryEdit& edit);
     void undo();
@@ -62,7 +64,7 @@ Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
-    bool commit(const std::function<MaybeEdit()>& edit);
+    bool commit(const std::function<MaybeEdit()>& edit, bool amends = false);
     void refresh();
     void analyseNow();
 

@@ -64,7 +64,9 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     layOut();
     addFileCommands();
     addEditCommands();
+    addBoundaryCommands();
     addPlaybackCommands();
+    addTimelineCommands();
     addViewCommands();
     refreshIcons();
     commands_->fillMenus(menuBar());
@@ -206,8 +208,8 @@ void MainWindow::showStatus(const QString& text) {
     QString line = text;
     if (line.isEmpty() && session_.document().isOpen()) {
         line =
-            tr("Space play   ← → frame   Ctrl+← → boundary   Del remove or restore   S add   "
-               "F1 all keys");
+            tr("Space play   N next suspect   Return keep   Backspace remove   ← → frame   "
+               "Ctrl+← → boundary   S add   F1 all keys");
     }
     status_->setText(line);
 }

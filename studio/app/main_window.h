@@ -58,7 +58,9 @@ protected:
 private:
     void addFileCommands();
     void addEditCommands();
+    void addBoundaryCommands();
     void addPlaybackCommands();
+    void addTimelineCommands();
     void addViewCommands();
     void layOut();
     void listen();

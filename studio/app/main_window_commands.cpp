@@ -275,9 +275,12 @@ void MainWindow::addViewCommands() {
                     open});
     commands_->add({"view.selection",
                     menu,
-                    tr("Show the active &fighter"),
+                    tr("Show the &fighter and what is selected"),
                     {QKeySequence("F")},
-                    [this] { stage_->frameActiveFighter(); },
+                    [this] {
+                        stage_->frameActiveFighter();
+                        session_.frameSelection();
+                    },
                     open});
     commands_->add({"view.front",
                     grouped(menu),

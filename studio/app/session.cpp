@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/project/notes.h"
 #include "core/segmentation/corrections.h"
 #include "studio/app/words.h"
 
@@ -27,6 +28,7 @@ void Session::opened() {
     take_ = 0;
     activePlayer_ = 0;
     selection_.reset();
+    selectedAction_.reset();
     refreshMarks();
     setTake(0);
 }
@@ -36,6 +38,7 @@ void Session::setTake(int take) {
     take_ = std::clamp(take, 0, std::max(0, static_cast<int>(takes.size()) - 1));
     activePlayer_ = 0;
     selection_.reset();
+    selectedAction_.reset();
     refreshMarks();
     transport_.setSpan(takes.empty() ? TimeSpan{}
                                      : timeSpan(takes[static_cast<std::size_t>(take_)]));
@@ -83,9 +86,72 @@ void Session::setActivePlayer(int player) {
 }
 
 void Session::select(std::optional<BoundaryRef> boundary) {
-    if (boundary == selection_) return;
+    if (boundary == selection_ && !(boundary && selectedAction_)) return;
     selection_ = boundary;
+    if (boundary) selectedAction_.reset();
     Q_EMIT selectionChanged();
+}
+
+void Session::selectAction(std::optional<ActionRef> action) {
+    if (action == selectedAction_ && !(action && selection_)) return;
+    selectedAction_ = action;
+    if (action) selection_.reset();
+    Q_EMIT selectionChanged();
+}
+
+const Action* Session::actionOf(const ActionRef& action) const {
+    const FighterAnalysis* found = fighter(action.player);
+    return found ? kumite::actionAt(*found->segmentation, action.peak) : nullptr;
+}
+
+std::optional<ActionRef> Session::actionAt(int player, int frame) const {
+    const Action* action = actionOf({player, frame});
+    return action ? std::optional(ActionRef{player, action->peak}) : std::nullopt;
+}
+
+std::optional<ActionRef> Session::currentAction() const {
+    if (selectedAction_) return selectedAction_;
+    return actionAt(activePlayer_, shownFrame(activePlayer_));
+}
+
+TimeSpan Session::spanOf(const ActionRef& action) const {
+    const Action* found = actionOf(action);
+    if (found == nullptr) return transport_.span();
+    return {timeOf({action.player, found->begin}), timeOf({action.player, found->end})};
+}
+
+QString Session::noteOf(const ActionRef& action) const {
+    const Action* found = actionOf(action);
+    if (found == nullptr) return {};
+    const FighterAnalysis& owner = *fighter(action.player);
+    return QString::fromStdString(kumite::noteOf(owner.input.notes, *owner.segmentation, *found));
+}
+
+void Session::loopAction(const ActionRef& action) {
+    const TimeSpan span = spanOf(action);
+    setActivePlayer(action.player);
+    selectAction(action);
+    transport_.setLoop(span.begin, span.end);
+    transport_.setLooping(true);
+    transport_.setPlayhead(span.begin);
+    frameSelection();
+}
+
+void Session::frameSelection() {
+    if (selectedAction_) {
+        const TimeSpan span = spanOf(*selectedAction_);
+        const double air = 0.5 * (span.end - span.begin);
+        setVisible({span.begin - air, span.end + air});
+    } else if (selection_) {
+        constexpr double kAround = 1.5;  // seconds: some actions on both sides
+        const double seconds = timeOf(*selection_);
+        setVisible({seconds - kAround, seconds + kAround});
+    }
+}
+
+void Session::setComparison(std::optional<Comparison> comparison) {
+    comparison_ = std::move(comparison);
+    Q_EMIT comparisonChanged();
 }
 
 void Session::goTo(const BoundaryRef& boundary) {
@@ -132,71 +198,16 @@ void Session::refreshMarks() {
 }
 
 void Session::keepSelection() {
+    if (selectedAction_) {
+        const Action* action = actionOf(*selectedAction_);
+        selectAction(action ? std::optional(ActionRef{selectedAction_->player, action->peak})
+                            : std::nullopt);
+    }
     if (!selection_) return;
     const FighterAnalysis* found = fighter(selection_->player);
     const double reach = found ? kCorrectionReach * found->input.rate : 0.0;
     const BoundaryMark* mark = nearestMark(marks(selection_->player), selection_->frame, reach);
     select(mark ? std::optional(BoundaryRef{selection_->player, mark->frame}) : std::nullopt);
-}
-
-void Session::toggleBoundary(const BoundaryRef& boundary) {
-    const BoundaryMark* mark = nearestMark(marks(boundary.player), boundary.frame, 0.5);
-    if (mark == nullptr) return;
-    const bool live = mark->isLive();
-    select(boundary);
-    document_.apply([&](const Project& project, const Analysis& analysis) {
-        return live ? removeBoundary(project, analysis, address(boundary.player), boundary.frame)
-                    : restoreBoundary(project, analysis, address(boundary.player), boundary.frame);
-    });
-}
-
-void Session::toggleCurrentBoundary() {
-    if (selection_) {
-        toggleBoundary(*selection_);
-        return;
-    }
-    const FighterAnalysis* found = fighter(activePlayer_);
-    if (found == nullptr) return;
-    const BoundaryMark* mark = nearestMark(marks(activePlayer_), shownFrame(activePlayer_),
-                                           kCorrectionReach * found->input.rate);
-    if (mark == nullptr) {
-        Q_EMIT hinted(tr("No boundary of %1 lies within 0.1 s of the playhead.")
-                          .arg(fighterText(activePlayer_)));
-        return;
-    }
-    toggleBoundary({activePlayer_, mark->frame});
-}
-
-void Session::addBoundaryAtPlayhead() {
-    if (fighter(activePlayer_) == nullptr) return;
-    const int player = activePlayer_;
-    const int frame = shownFrame(player);
-    const bool added = document_.apply([&](const Project& project, const Analysis& analysis) {
-        return addBoundary(project, analysis, address(player), frame);
-    });
-    if (added) select(BoundaryRef{player, frame});
-}
-
-void Session::moveBoundary(const BoundaryRef& boundary, int toFrame) {
-    const bool moved = document_.apply([&](const Project& project, const Analysis& analysis) {
-        return kumite::moveBoundary(project, analysis, address(boundary.player), boundary.frame,
-                                    toFrame);
-    });
-    if (moved) goTo({boundary.player, toFrame});
-}
-
-void Session::mergeAction(int direction) {
-    const int now = shownFrame(activePlayer_);
-    const BoundaryMark* between = nullptr;
-    for (const BoundaryMark& mark : marks(activePlayer_)) {
-        if (!mark.isLive() || !mark.isEditable()) continue;
-        if (direction < 0 && mark.frame <= now) between = &mark;
-        if (direction > 0 && mark.frame > now) {
-            between = &mark;
-            break;
-        }
-    }
-    if (between != nullptr) toggleBoundary({activePlayer_, between->frame});
 }
 
 void Session::stepFrames(int count) {
@@ -230,6 +241,22 @@ void Session::stepBoundary(int direction) {
         transport_.setPlayhead(timeOf(boundary));
         reveal(transport_.playhead());
     }
+}
+
+void Session::stepAction(int direction) {
+    const auto now = currentAction();
+    if (!now || now->player != activePlayer_) return;
+    const FighterAnalysis* found = fighter(activePlayer_);
+    const auto& actions = found->segmentation->actions;
+    const auto index = actionOf(*now) - actions.data();
+    // The first step selects the action at the playhead.
+    const auto next = selectedAction_ ? index + direction : index;
+    if (next < 0 || next >= static_cast<std::ptrdiff_t>(actions.size())) return;
+    const Action& action = actions[static_cast<std::size_t>(next)];
+    selectAction(ActionRef{activePlayer_, action.peak});
+    transport_.setPlayhead(timeOfFrame(found->input, action.begin));
+    reveal(timeOfFrame(found->input, action.end));
+    reveal(transport_.playhead());
 }
 
 }  // namespace kumite::studio

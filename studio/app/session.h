@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/segmentation/boundary_comparison.h"
 #include "studio/app/boundary_marks.h"
 #include "studio/app/document.h"
 #include "studio/app/transport.h"
@@ -19,9 +20,23 @@ struct BoundaryRef {
     bool operator==(const BoundaryRef&) const = default;
 };
 
+/// An action of a player of the shown take, by its peak.
+struct ActionRef {
+    int player = 0;
+    int peak = 0;
+
+    bool operator==(const ActionRef&) const = default;
+};
+
+/// A second way to cut the shown take, beside the project's own: what boundaries it gives.
+struct Comparison {
+    SegmentationSettings settings;
+    std::vector<BoundaryComparison> players;  ///< A: the project's settings, B: these
+};
+
 /// What the user looks at: the document, which take of it, the playhead, the active fighter, the
-/// selected boundary and the visible stretch of time. Every view listens to it; nothing in it but
-/// the document is ever undone or saved.
+/// selected boundary or action and the visible stretch of time. Every view listens to it; nothing
+/// in it but the document is ever undone or saved.
 class Session : public QObject {
     Q_OBJECT
 
@@ -52,6 +67,26 @@ public:
     /// Selects, makes its fighter active and moves the playhead there.
     void goTo(const BoundaryRef& boundary);
 
+    /// A boundary and an action are never selected together.
+    const std::optional<ActionRef>& selectedAction() const { return selectedAction_; }
+    void selectAction(std::optional<ActionRef> action);
+    /// Null where there is no such action (any more).
+    const Action* actionOf(const ActionRef& action) const;
+    /// The action of a player at a frame.
+    std::optional<ActionRef> actionAt(int player, int frame) const;
+    /// The selected action, else that of the active fighter at the playhead.
+    std::optional<ActionRef> currentAction() const;
+    TimeSpan spanOf(const ActionRef& action) const;
+    /// What is noted about an action; empty: nothing.
+    QString noteOf(const ActionRef& action) const;
+    /// Shows an action with some air and plays it in a loop.
+    void loopAction(const ActionRef& action);
+    /// Shows what is selected, closely.
+    void frameSelection();
+
+    const std::optional<Comparison>& comparison() const { return comparison_; }
+    void setComparison(std::optional<Comparison> comparison);
+
     /// Visible stretch of the timeline, seconds.
     TimeSpan visible() const { return visible_; }
     void setVisible(TimeSpan span);
@@ -67,8 +102,14 @@ public:
     void toggleCurrentBoundary();
     void addBoundaryAtPlayhead();
     void moveBoundary(const BoundaryRef& boundary, int toFrame);
-    /// Joins the active fighter's action at the playhead with the one before (-1) or after (+1).
+    /// Joins the current action with the one before (-1) or after (+1).
     void mergeAction(int direction);
+    /// Moves the selected boundary, else the one at the playhead, by frames.
+    void nudgeBoundary(int frames);
+    /// Says that a boundary is right; the same taken back.
+    bool acceptBoundary(const BoundaryRef& boundary);
+    bool withdrawAcceptance(const BoundaryRef& boundary);
+    void setNote(const ActionRef& action, const QString& text);
 
     // Steps of the playhead.
 
@@ -76,6 +117,8 @@ public:
     void stepFrames(int count);
     /// To the next (+1) or previous (-1) live boundary of the active fighter.
     void stepBoundary(int direction);
+    /// Selects the active fighter's next (+1) or previous (-1) action.
+    void stepAction(int direction);
 
 Q_SIGNALS:
     /// Another take is shown (or another document).
@@ -85,6 +128,7 @@ Q_SIGNALS:
     void activePlayerChanged();
     void selectionChanged();
     void visibleChanged();
+    void comparisonChanged();
     /// One line for the status bar: what the pointer is on; empty: nothing.
     void hovered(const QString& text);
     /// Something could not be done, in one quiet sentence.
@@ -95,12 +139,16 @@ private:
     void opened();
     void refreshMarks();
     void keepSelection();
+    /// The selected boundary, else the active fighter's nearest to the playhead; none: says so.
+    std::optional<BoundaryRef> currentBoundary();
 
     Document document_;
     Transport transport_;
     int take_ = 0;
     int activePlayer_ = 0;
     std::optional<BoundaryRef> selection_;
+    std::optional<ActionRef> selectedAction_;
+    std::optional<Comparison> comparison_;
     TimeSpan visible_{0, 1};
     std::vector<std::vector<BoundaryMark>> marks_;
     bool awaited_ = false;  ///< the shown take has no values yet

@@ -8,6 +8,10 @@ namespace kumite::studio {
 
 namespace {
 
+QString words(const char* text) {
+    return QCoreApplication::translate("kumite", text);
+}
+
 QString clockText(double seconds, int decimals) {
     const double unit = std::pow(10.0, decimals);
     const auto ticks = static_cast<long long>(std::llround(std::abs(seconds) * unit));
@@ -41,6 +45,70 @@ QString bodyWeightsText(double bodyWeights) {
 
 QString percentText(double share) {
     return QString::number(qRound(share * 100)) + QStringLiteral(" %");
+}
+
+QString reasonText(const SuspectReason& reason) {
+    using Kind = SuspectReason::Kind;
+    const QString prominence = words("prominence %1").arg(bodyWeightsText(reason.prominence));
+    const QString speed = QString::number(reason.footSpeed, 'f', 1);
+    switch (reason.kind) {
+        case Kind::SlowKick:
+            return (reason.left ? words("slow left kick, %1") : words("slow right kick, %1"))
+                .arg(prominence);
+        case Kind::MovingFoot:
+            return (reason.left ? words("left foot moves at %1 m/s, %2")
+                                : words("right foot moves at %1 m/s, %2"))
+                .arg(speed, prominence);
+        case Kind::Shallow:
+            return words("shallow, %1").arg(prominence);
+        case Kind::Crowded:
+            return words("%1 s from the next minimum, %2")
+                .arg(QString::number(reason.nearest, 'f', 2), prominence);
+        case Kind::High:
+            return words("high at %1, %2").arg(bodyWeightsText(reason.force), prominence);
+        case Kind::Unremarkable:
+            break;
+    }
+    return words("nothing unusual, %1").arg(prominence);
+}
+
+QString shortReasonText(const SuspectReason& reason) {
+    using Kind = SuspectReason::Kind;
+    switch (reason.kind) {
+        case Kind::SlowKick:
+            return reason.left ? words("left kick") : words("right kick");
+        case Kind::MovingFoot:
+            return reason.left ? words("left foot") : words("right foot");
+        case Kind::Shallow:
+            return words("shallow");
+        case Kind::Crowded:
+            return words("crowded");
+        case Kind::High:
+            return words("high");
+        case Kind::Unremarkable:
+            break;
+    }
+    return QStringLiteral("–");
+}
+
+QString suspicionText(const FighterAnalysis& fighter, const BoundaryMark& mark) {
+    return words("%1, suspicion %2")
+        .arg(reasonText(suspectReason(fighter, *mark.minimum)), percentText(mark.suspicion));
+}
+
+QString correctionWords(const Correction& correction, const Fighter& fighter) {
+    const auto at = [&](int frame) { return timeText(timeOfFrame(fighter, frame)); };
+    switch (correction.kind) {
+        case Correction::Kind::Remove:
+            return words("removal at %1").arg(at(correction.frame));
+        case Correction::Kind::Add:
+            return words("addition at %1").arg(at(correction.frame));
+        case Correction::Kind::Move:
+            return words("move from %1 to %2").arg(at(correction.frame), at(correction.to));
+        case Correction::Kind::Keep:
+            return words("acceptance at %1").arg(at(correction.frame));
+    }
+    return {};
 }
 
 QString fighterText(int player) {

@@ -2,6 +2,9 @@
 
 #include <QString>
 
+#include "core/project/review.h"
+#include "studio/app/boundary_marks.h"
+
 namespace kumite::studio {
 
 /// How numbers and names read everywhere in the window; independent of the locale.
@@ -16,5 +19,14 @@ QString bodyWeightsText(double bodyWeights);
 QString percentText(double share);
 /// 0 → "fighter 1".
 QString fighterText(int player);
+
+/// Why a minimum is suspected: "slow left kick, prominence 0.07 BW".
+QString reasonText(const SuspectReason& reason);
+/// The same in a word or two: "left kick".
+QString shortReasonText(const SuspectReason& reason);
+/// What is known about the minimum of a mark: reason and suspicion.
+QString suspicionText(const FighterAnalysis& fighter, const BoundaryMark& mark);
+/// A correction that no longer means a minimum: "removal at 0:02.350".
+QString correctionWords(const Correction& correction, const Fighter& fighter);
 
 }  // namespace kumite::studio

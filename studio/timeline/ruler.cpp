@@ -7,60 +7,99 @@
 #include <cmath>
 
 #include "studio/app/words.h"
+#include "studio/timeline/loop_handles.h"
 
 namespace kumite::studio {
 
+namespace {
+
+/// Labels at round times, with the frames there; or at round frames.
+struct Scale {
+    double step = 1;    ///< seconds between labels
+    double origin = 0;  ///< seconds of the label 0
+};
+
+Scale scaleOf(const TimeMapping& mapping, const Fighter* fighter, RulerUnits units) {
+    constexpr double kApart = 104;  // pixels
+    if (units != RulerUnits::Frames || fighter == nullptr) {
+        return {rulerStep(mapping.pixelsPerSecond(), kApart), 0};
+    }
+    return {frameStep(mapping.pixelsPerSecond() / fighter->rate, kApart) / fighter->rate,
+            fighter->offset};
+}
+
+void paintLoop(QPainter& painter, const QRectF& ruler, const Transport& transport,
+               const Colours& colours, const TimeMapping& mapping) {
+    const auto range = loopRange(transport);
+    if (!range) return;
+    const double from = mapping.xOf(range->begin);
+    const double to = mapping.xOf(range->end);
+    const QColor colour = withAlpha(colours.accent, transport.isLooping() ? 0.9 : 0.4);
+    painter.fillRect(QRectF(from, ruler.top(), to - from, 4), colour);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    const QPointF in[] = {{from, ruler.top()}, {from + 7, ruler.top()}, {from, ruler.top() + 11}};
+    const QPointF out[] = {{to, ruler.top()}, {to - 7, ruler.top()}, {to, ruler.top() + 11}};
+    painter.drawPolygon(in, 3);
+    painter.drawPolygon(out, 3);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
+}  // namespace
+
 void paintRuler(QPainter& painter, const QRectF& ruler, const Session& session,
-                const Colours& colours, const TimeMapping& mapping) {
+                const Colours& colours, const TimeMapping& mapping, RulerUnits units) {
     const QFont font = painter.font();
     QFont small = font;
     small.setPointSizeF(std::max(7.5, font.pointSizeF() - 1.0));
     painter.setFont(small);
     painter.fillRect(ruler, colours.panel);
     painter.setPen(colours.secondText);
+    const char* const kCaptions[] = {
+        QT_TRANSLATE_NOOP("kumite::studio::TimelineView", "time, frame"),
+        QT_TRANSLATE_NOOP("kumite::studio::TimelineView", "time"),
+        QT_TRANSLATE_NOOP("kumite::studio::TimelineView", "frame")};
     painter.drawText(QRectF(ruler.left() + 12, ruler.top(), mapping.left - 18, ruler.height()),
                      Qt::AlignLeft | Qt::AlignVCenter,
-                     QCoreApplication::translate("kumite::studio::TimelineView", "time, frame"));
-    const QRectF scale(mapping.left, ruler.top(), mapping.width, ruler.height());
+                     QCoreApplication::translate("kumite::studio::TimelineView",
+                                                 kCaptions[static_cast<int>(units)]));
+    const QRectF area(mapping.left, ruler.top(), mapping.width, ruler.height());
     painter.save();
     painter.setClipRect(
-        QRectF(scale.left() - 1, ruler.top(), ruler.right() - scale.left() + 1, ruler.height()));
-    const double step = rulerStep(mapping.pixelsPerSecond(), 104);
-    const double fine = step / 5;
-    const FighterAnalysis* fighter = session.fighter(session.activePlayer());
-    const auto first = static_cast<long long>(std::floor(mapping.begin / fine));
-    const auto last = static_cast<long long>(std::ceil(mapping.end / fine));
+        QRectF(area.left() - 1, ruler.top(), ruler.right() - area.left() + 1, ruler.height()));
+    const FighterAnalysis* analysed = session.fighter(session.activePlayer());
+    const Fighter* fighter = analysed ? &analysed->input : nullptr;
+    const Scale scale = scaleOf(mapping, fighter, units);
+    const double fine = scale.step / 5;
+    const auto first = static_cast<long long>(std::floor((mapping.begin - scale.origin) / fine));
+    const auto last = static_cast<long long>(std::ceil((mapping.end - scale.origin) / fine));
     for (long long tick = first; tick <= last; ++tick) {
-        const double seconds = static_cast<double>(tick) * fine;
+        const double seconds = scale.origin + static_cast<double>(tick) * fine;
         const double x = std::floor(mapping.xOf(seconds)) + 0.5;
         const bool labelled = tick % 5 == 0;
-        if (x > scale.right() + 1) break;
+        if (x > area.right() + 1) break;
         painter.setPen(labelled ? colours.secondText : colours.line);
         painter.drawLine(QPointF(x, ruler.bottom() - (labelled ? 8 : 4)),
                          QPointF(x, ruler.bottom()));
-        if (!labelled || x < scale.left() - 1) continue;
-        const QString time = timeText(seconds, step);
-        const QRectF room(x + 4, ruler.top(), 100, ruler.height() - 3);
-        painter.setPen(colours.text);
-        QRectF used;
-        painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, time, &used);
-        if (fighter == nullptr) continue;
-        const auto frame = std::llround((seconds - fighter->input.offset) * fighter->input.rate);
-        if (frame < 0 || frame >= fighter->frameCount()) continue;
-        const QString number = QString::number(frame);
-        const double from = used.right() + 6;
-        if (from + painter.fontMetrics().horizontalAdvance(number) > ruler.right() - 2) continue;
-        painter.setPen(colours.secondText);
-        painter.drawText(QRectF(from, room.top(), 60, room.height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, number);
+        if (!labelled || x < area.left() - 1) continue;
+        double from = x + 4;
+        const auto label = [&](const QString& text, const QColor& colour) {
+            const double width = painter.fontMetrics().horizontalAdvance(text);
+            if (from + width > ruler.right() - 2) return;
+            painter.setPen(colour);
+            painter.drawText(QRectF(from, ruler.top(), width + 2, ruler.height() - 3),
+                             Qt::AlignLeft | Qt::AlignVCenter, text);
+            from += width + 6;
+        };
+        if (units != RulerUnits::Frames) label(timeText(seconds, scale.step), colours.text);
+        if (fighter == nullptr || units == RulerUnits::Time) continue;
+        const auto frame = std::llround((seconds - fighter->offset) * fighter->rate);
+        if (frame < 0 || frame >= analysed->frameCount()) continue;
+        label(QString::number(frame),
+              units == RulerUnits::Frames ? colours.text : colours.secondText);
     }
-    const Transport& transport = session.transport();
-    if (transport.loopIn() || transport.loopOut()) {
-        const double from = mapping.xOf(transport.loopIn().value_or(transport.span().begin));
-        const double to = mapping.xOf(transport.loopOut().value_or(transport.span().end));
-        painter.fillRect(QRectF(from, ruler.top(), to - from, 4),
-                         withAlpha(colours.accent, transport.isLooping() ? 0.9 : 0.4));
-    }
+    paintLoop(painter, ruler, session.transport(), colours, mapping);
     painter.restore();
     painter.setPen(colours.line);
     painter.drawLine(QPointF(ruler.left(), ruler.bottom()), QPointF(ruler.right(), ruler.bottom()));

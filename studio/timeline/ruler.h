@@ -5,14 +5,16 @@
 #include "studio/app/session.h"
 #include "studio/app/theme.h"
 #include "studio/timeline/time_mapping.h"
+#include "studio/timeline/timeline_options.h"
 
 class QPainter;
 
 namespace kumite::studio {
 
-/// Paints the ruler over the tracks: times, and frames of the active fighter.
+/// Paints the ruler over the tracks: times, frames of the active fighter or both, and the range of
+/// the loop with its handles.
 void paintRuler(QPainter& painter, const QRectF& ruler, const Session& session,
-                const Colours& colours, const TimeMapping& mapping);
+                const Colours& colours, const TimeMapping& mapping, RulerUnits units);
 
 /// A label on the ruler and a line through all tracks below it: the playhead, a guide.
 struct TimeMarker {

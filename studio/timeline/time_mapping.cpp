@@ -30,4 +30,12 @@ double rulerStep(double pixelsPerSecond, double minimumPixels) {
     return 600 * std::ceil(minimumPixels / (600 * pixelsPerSecond));
 }
 
+double frameStep(double pixelsPerFrame, double minimumPixels) {
+    for (double power = 5;; power *= 10) {
+        for (const double factor : {1.0, 2.0, 4.0, 10.0}) {
+            if (factor * power * pixelsPerFrame >= minimumPixels) return factor * power;
+        }
+    }
+}
+
 }  // namespace kumite::studio

@@ -23,5 +23,7 @@ struct TimeMapping {
 /// The distance of a ruler's labels, seconds: 1, 2 or 5 times a power of ten, or 15, 30, 60 …;
 /// at least `minimumPixels` apart.
 double rulerStep(double pixelsPerSecond, double minimumPixels);
+/// The same in frames: 5, 10 or 20 times a power of ten, so that a fifth of it is whole.
+double frameStep(double pixelsPerFrame, double minimumPixels);
 
 }  // namespace kumite::studio

@@ -1,7 +1,9 @@
 // What the mouse and the keyboard do on the timeline.
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
@@ -13,7 +15,6 @@ namespace kumite::studio {
 
 namespace {
 constexpr double kBoundaryReach = 5;  // pixels
-constexpr double kSnapReach = 6;
 constexpr double kDragStart = 4;
 }  // namespace
 
@@ -54,9 +55,11 @@ void TimelineView::hover(const QPointF& position) {
     const TimeMapping map = mapping();
     const double seconds = map.timeAt(position.x());
     const bool inside = position.x() >= map.left && position.x() <= map.left + map.width;
-    setCursor(handleAt(position) ? Qt::PointingHandCursor
-              : hovered_         ? Qt::SizeHorCursor
-                                 : Qt::ArrowCursor);
+    const bool onLoop =
+        ruler().contains(position) && loopEndAt(loopRange(session_.transport()), map, position.x());
+    setCursor(handleAt(position)   ? Qt::PointingHandCursor
+              : hovered_ || onLoop ? Qt::SizeHorCursor
+                                   : Qt::ArrowCursor);
     Q_EMIT session_.hovered(inside && player >= 0 ? describe(player, seconds) : QString());
     update();
 }
@@ -76,13 +79,23 @@ void TimelineView::mousePressEvent(QMouseEvent* event) {
         session_.toggleBoundary(*handle);
         return;
     }
+    const auto range = loopRange(session_.transport());
+    if (const auto end = loopEndAt(range, mapping(), position.x());
+        end && ruler().contains(position)) {
+        loopEnd_ = *end;
+        gesture_ = Gesture::Loop;
+        return;
+    }
     const int player = playerAt(position.y());
     if (player >= 0) session_.setActivePlayer(player);
     if (hovered_) {
         session_.goTo(*hovered_);
         gesture_ = Gesture::Press;
     } else {
-        if (player >= 0) session_.select(std::nullopt);
+        if (player >= 0) {
+            session_.select(std::nullopt);
+            session_.selectAction(blockAt(position));
+        }
         gesture_ = Gesture::Scrub;
         scrubTo(position.x());
     }
@@ -104,17 +117,19 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
         }
         case Gesture::Press:
             if (std::abs(position.x() - pressed_.x()) < kDragStart) break;
-            if (const auto& selected = session_.selection();
-                selected && markOf(*selected) != nullptr && markOf(*selected)->isLive()) {
-                gesture_ = Gesture::Drag;
-                dragged_ = Dragged{*selected, selected->frame};
-            } else {
-                gesture_ = Gesture::None;
-            }
+            if (!startDrag()) break;
             [[fallthrough]];
         case Gesture::Drag:
-            if (dragged_) dragTo(position.x(), event->modifiers() & Qt::AltModifier);
+            // Many window managers keep Alt+drag for themselves.
+            dragTo(position.x(), event->modifiers() & (Qt::AltModifier | Qt::ControlModifier));
             break;
+        case Gesture::Loop: {
+            const auto range = loopRange(session_.transport());
+            if (!range) break;
+            const TimeSpan moved = withLoopEnd(*range, loopEnd_, mapping().timeAt(position.x()));
+            session_.transport().setLoop(moved.begin, moved.end);
+            break;
+        }
     }
     last_ = position;
 }
@@ -134,8 +149,8 @@ void TimelineView::mouseDoubleClickEvent(QMouseEvent* event) {
         mousePressEvent(event);
     } else if (const auto boundary = boundaryAt(position)) {
         session_.toggleBoundary(*boundary);
-    } else if (tracks_[static_cast<std::size_t>(player)].strip().contains(position)) {
-        loopActionAt(player, mapping().timeAt(position.x()));
+    } else if (const auto action = blockAt(position)) {
+        session_.loopAction(*action);
     }
 }
 
@@ -164,6 +179,7 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
         endDrag(false);
     } else {
         session_.select(std::nullopt);
+        session_.selectAction(std::nullopt);
     }
 }
 
@@ -172,77 +188,20 @@ void TimelineView::scrubTo(double x) {
     update();
 }
 
-int TimelineView::snapped(int player, double frame) const {
+std::optional<ActionRef> TimelineView::blockAt(const QPointF& position) const {
+    const int player = playerAt(position.y());
     const FighterAnalysis* fighter = session_.fighter(player);
-    const double reach = kSnapReach * fighter->input.rate / mapping().pixelsPerSecond();
-    double best = frame;
-    double bestDistance = reach;
-    const auto offer = [&](double candidate) {
-        if (std::abs(candidate - frame) > bestDistance) return;
-        bestDistance = std::abs(candidate - frame);
-        best = candidate;
-    };
-    for (const ForceMinimum& minimum : fighter->force->minima)
-        offer(minimum.frame);
-    offer(frameAtTime(fighter->input, session_.transport().playhead()));
-    const int other = 1 - player;
-    for (const BoundaryMark& mark : session_.marks(other)) {
-        if (mark.isLive()) offer(frameAtTime(fighter->input, session_.timeOf({other, mark.frame})));
-    }
-    return static_cast<int>(std::lround(best));
+    if (fighter == nullptr) return std::nullopt;
+    if (!tracks_[static_cast<std::size_t>(player)].strip().contains(position)) return std::nullopt;
+    return session_.actionAt(player, frameAtTime(fighter->input, mapping().timeAt(position.x())));
 }
 
-void TimelineView::dragTo(double x, bool free) {
-    const BoundaryRef& boundary = dragged_->boundary;
-    const FighterAnalysis* fighter = session_.fighter(boundary.player);
-    const double wanted = (mapping().timeAt(x) - fighter->input.offset) * fighter->input.rate;
-    int low = 1;
-    int high = fighter->frameCount() - 2;
-    for (const BoundaryMark& mark : session_.marks(boundary.player)) {
-        if (!mark.isLive()) continue;
-        if (mark.frame < boundary.frame) low = mark.frame + 1;
-        if (mark.frame > boundary.frame) {
-            high = mark.frame - 1;
-            break;
-        }
-    }
-    const int frame =
-        free ? static_cast<int>(std::lround(wanted)) : snapped(boundary.player, wanted);
-    dragged_->frame = std::clamp(frame, low, std::max(low, high));
-    const double seconds = session_.timeOf({boundary.player, dragged_->frame});
-    session_.transport().setPreview(seconds);
-    Q_EMIT session_.hovered(
-        tr("Release to move the boundary here, Esc to leave it, Alt to place "
-           "it freely."));
-    update();
-}
-
-void TimelineView::endDrag(bool commit) {
-    const Dragged done = *dragged_;
-    dragged_.reset();
-    gesture_ = Gesture::None;
-    session_.transport().setPreview(std::nullopt);
-    if (commit && done.frame != done.boundary.frame) {
-        session_.moveBoundary(done.boundary, done.frame);
-    }
-    update();
-}
-
-void TimelineView::loopActionAt(int player, double seconds) {
-    const FighterAnalysis* fighter = session_.fighter(player);
-    if (fighter == nullptr) return;
-    const int frame = frameAtTime(fighter->input, seconds);
-    for (const Action& action : fighter->segmentation->actions) {
-        if (frame < action.begin || frame >= action.end) continue;
-        const double begin = timeOfFrame(fighter->input, action.begin);
-        const double end = timeOfFrame(fighter->input, action.end);
-        const double air = 0.5 * (end - begin);
-        session_.transport().setLoop(begin, end);
-        session_.transport().setLooping(true);
-        session_.transport().setPlayhead(begin);
-        session_.setVisible({begin - air, end + air});
-        return;
-    }
+bool TimelineView::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const auto action = blockAt(help->pos());
+    QToolTip::showText(help->globalPos(), action ? session_.noteOf(*action) : QString(), this);
+    return true;
 }
 
 }  // namespace kumite::studio

@@ -8,6 +8,8 @@
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
+#include "studio/timeline/mark_painter.h"
+#include "studio/timeline/note_field.h"
 #include "studio/timeline/ruler.h"
 #include "studio/timeline/track_painter.h"
 
@@ -20,16 +22,17 @@ constexpr double kRulerHeight = 22;
 constexpr double kHandle = 14;
 }  // namespace
 
-TimelineView::TimelineView(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+TimelineView::TimelineView(Session& session, QWidget* parent)
+    : QWidget(parent), session_(session), note_(new NoteField(session, this)) {
     setAccessibleName(tr("Timeline"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
-    setMinimumHeight(120);
     setAttribute(Qt::WA_OpaquePaintEvent);
     connect(&session_, &Session::takeChanged, this, &TimelineView::refresh);
     connect(&session_, &Session::fightersChanged, this, &TimelineView::refresh);
     connect(&session_, &Session::visibleChanged, this, &TimelineView::invalidate);
     connect(&session_, &Session::activePlayerChanged, this, &TimelineView::invalidate);
+    connect(&session_, &Session::comparisonChanged, this, &TimelineView::invalidate);
     connect(&session_, &Session::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&session_.transport(), &Transport::stateChanged, this, &TimelineView::invalidate);
     connect(&session_.transport(), &Transport::moved, this, [this] {
@@ -62,6 +65,38 @@ QRectF TimelineView::handleOf(const BoundaryRef& boundary) const {
     return QRectF(x - kHandle / 2, tracks_[index].row().top() + 1, kHandle, kHandle);
 }
 
+QRectF TimelineView::blockOf(const ActionRef& action) const {
+    const auto index = static_cast<std::size_t>(action.player);
+    if (index >= tracks_.size() || session_.actionOf(action) == nullptr) return {};
+    const TimeMapping map = mapping();
+    const TimeSpan span = session_.spanOf(action);
+    const QRectF strip = tracks_[index].strip();
+    const double left = std::max(map.xOf(span.begin), strip.left());
+    const double right = std::min(map.xOf(span.end), strip.right());
+    return right > left ? QRectF(left, strip.top(), right - left, strip.height()) : QRectF();
+}
+
+void TimelineView::setOptions(const TimelineOptions& options) {
+    if (options == options_) return;
+    options_ = options;
+    refresh();
+}
+
+void TimelineView::editNote() {
+    const auto action = session_.currentAction();
+    if (!action) return;
+    session_.setActivePlayer(action->player);
+    session_.selectAction(action);
+    if (blockOf(*action).isEmpty()) session_.frameSelection();
+    const QRectF block = blockOf(*action);
+    const int width = std::max(240, static_cast<int>(block.width()));
+    const int height = note_->sizeHint().height();
+    const int left =
+        std::clamp(static_cast<int>(block.left()), 0, std::max(0, this->width() - width));
+    const int top = static_cast<int>(block.center().y()) - height / 2;
+    note_->open(*action, {left, std::min(top, this->height() - height), width, height});
+}
+
 void TimelineView::layOut() {
     const double height = std::max(10.0, this->height() - kRulerHeight);
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
@@ -75,8 +110,11 @@ void TimelineView::layOut() {
 void TimelineView::refresh() {
     tracks_.resize(static_cast<std::size_t>(session_.playerCount()));
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
-        tracks_[i].setFighter(session_.fighter(static_cast<int>(i)));
+        tracks_[i].setFighter(session_.fighter(static_cast<int>(i)), options_,
+                              session_.document().analysis().settings.curve);
     }
+    const int speeds = (options_.handSpeed ? 1 : 0) + (options_.footSpeed ? 1 : 0);
+    setMinimumHeight(120 + 64 * speeds);
     layOut();
     hovered_.reset();
     invalidate();
@@ -101,7 +139,7 @@ void TimelineView::paintEvent(QPaintEvent*) {
     const double ratio = devicePixelRatioF();
     const QSize pixels = (QSizeF(size()) * ratio).toSize();
     if (!stillValid_ || still_.size() != pixels) {
-        still_ = QPixmap(pixels);
+        if (still_.size() != pixels) still_ = QPixmap(pixels);
         still_.setDevicePixelRatio(ratio);
         QPainter painter(&still_);
         painter.setFont(font());
@@ -125,45 +163,50 @@ void TimelineView::paintStill(QPainter& painter) {
         const double y = tracks_[i].row().bottom() - 0.5;
         painter.drawLine(QPointF(0, y), QPointF(width(), y));
     }
-    paintRuler(painter, ruler(), session_, c, map);
+    paintRuler(painter, ruler(), session_, c, map, options_.ruler);
 }
 
 void TimelineView::paintMoving(QPainter& painter) {
     const Colours& c = coloursFor(palette());
     const TimeMapping map = mapping();
-    TrackPainter tracks(painter, session_, c, map);
+    MarkPainter marks(painter, session_, c, map);
     const auto trackOf = [this](int player) -> const Track& {
         return tracks_[static_cast<std::size_t>(player)];
     };
+    const auto players = static_cast<int>(tracks_.size());
     if (pointer_ && gesture_ == Gesture::None && pointer_->x() >= map.left) {
         TimeMarker guide{
             map.timeAt(pointer_->x()), {}, withAlpha(c.secondText, 0.8), c.ground, Qt::DotLine, 1};
         if (hovered_) guide.seconds = session_.timeOf(*hovered_);
         paintMarker(painter, ruler(), height(), map, guide);
     }
+    const auto& action = session_.selectedAction();
+    if (action && action->player < players) marks.paintSelection(trackOf(action->player), *action);
     const auto& selected = session_.selection();
-    if (selected && selected->player < static_cast<int>(tracks_.size())) {
-        tracks.paintSelection(trackOf(selected->player), *selected);
+    if (selected && selected->player < players) {
+        marks.paintSelection(trackOf(selected->player), *selected);
     }
     const FighterAnalysis* active = session_.fighter(session_.activePlayer());
     const double now = session_.transport().playhead();
     const QString frame =
         active ? QString::number(frameAtTime(active->input, now)) : QStringLiteral("–");
     const QColor dark("#1e1f22");
-    paintMarker(painter, ruler(), height(), map,
-                {now, timeText(now) + QStringLiteral(" · ") + frame, c.accent, dark});
+    QString moment = timeText(now) + QStringLiteral(" · ") + frame;
+    if (options_.ruler == RulerUnits::Time) moment = timeText(now);
+    if (options_.ruler == RulerUnits::Frames) moment = frame;
+    paintMarker(painter, ruler(), height(), map, {now, moment, c.accent, dark});
     if (dragged_) {
         const BoundaryRef at{dragged_->boundary.player, dragged_->frame};
         const double seconds = session_.timeOf(at);
-        tracks.paintSelection(trackOf(at.player), at);
+        marks.paintSelection(trackOf(at.player), at);
         const QColor colour = c.fighterText[at.player];
-        paintMarker(
-            painter, ruler(), height(), map,
-            {seconds, tr("%1 · frame %2").arg(timeText(seconds)).arg(at.frame), colour, c.ground});
+        QString text = tr("%1 · frame %2").arg(timeText(seconds)).arg(at.frame);
+        if (dragged_->snap) text += QStringLiteral(" · ") + snapText(*dragged_->snap);
+        paintMarker(painter, ruler(), height(), map, {seconds, text, colour, c.ground});
     } else if (hovered_ && markOf(*hovered_) != nullptr) {
         const QRectF handle = handleOf(*hovered_);
-        tracks.paintHandle(handle, markOf(*hovered_)->isLive(),
-                           pointer_ && handle.contains(*pointer_));
+        marks.paintHandle(handle, markOf(*hovered_)->isLive(),
+                          pointer_ && handle.contains(*pointer_));
     }
 }
 
@@ -172,16 +215,25 @@ QString TimelineView::describe(int player, double seconds) const {
     if (fighter == nullptr) return timeText(seconds);
     int frame = frameAtTime(fighter->input, seconds);
     if (hovered_) frame = hovered_->frame;
-    QString text =
-        tr("%1 · %2 · frame %3 · %4")
-            .arg(fighterText(player), timeText(timeOfFrame(fighter->input, frame)))
-            .arg(frame)
-            .arg(bodyWeightsText(fighter->force->force.curve[static_cast<std::size_t>(frame)]));
+    QString text = tr("%1 · %2 · frame %3")
+                       .arg(fighterText(player), timeText(timeOfFrame(fighter->input, frame)))
+                       .arg(frame);
+    if (fighter->force) {
+        const auto& curve = fighter->force->force.curve;
+        text += QStringLiteral(" · ") + bodyWeightsText(curve[static_cast<std::size_t>(frame)]);
+    }
+    if (const auto action = session_.actionAt(player, frame); action && !hovered_) {
+        const QString note = session_.noteOf(*action);
+        if (!note.isEmpty()) text += tr(" · note: %1").arg(note);
+    }
     const BoundaryMark* mark = hovered_ ? markOf(*hovered_) : nullptr;
     if (mark == nullptr) return text;
     switch (mark->state) {
         case MarkState::Removed:
             text += tr(" · removed boundary");
+            break;
+        case MarkState::Accepted:
+            text += tr(" · accepted boundary");
             break;
         case MarkState::Moved:
             text += tr(" · moved boundary");
@@ -193,11 +245,7 @@ QString TimelineView::describe(int player, double seconds) const {
         case MarkState::End:
             break;
     }
-    if (mark->minimum) {
-        const auto& minimum = fighter->force->minima[static_cast<std::size_t>(*mark->minimum)];
-        text += tr(" · minimum, prominence %1, suspicion %2")
-                    .arg(bodyWeightsText(minimum.prominence), percentText(mark->suspicion));
-    }
+    if (mark->minimum) text += QStringLiteral(" · ") + suspicionText(*fighter, *mark);
     return text;
 }
 

@@ -7,14 +7,19 @@
 #include <vector>
 
 #include "studio/app/session.h"
+#include "studio/timeline/loop_handles.h"
+#include "studio/timeline/snapping.h"
 #include "studio/timeline/time_mapping.h"
 #include "studio/timeline/track.h"
 
 namespace kumite::studio {
 
-/// The timeline: a ruler and one row per fighter with force curve, centre of mass, minima,
-/// boundaries and actions. Boundaries are selected by a click, dragged, removed and restored by a
-/// double-click or by the button that appears above them.
+class NoteField;
+
+/// The timeline: a ruler and one row per fighter with curves, minima, boundaries and actions.
+/// Boundaries are selected by a click, dragged, removed and restored by a double-click or by the
+/// button that appears above them; actions are selected by a click, looped by a double-click. What
+/// stands still while the playhead runs is painted once, into a picture that is kept.
 class TimelineView : public QWidget {
     Q_OBJECT
 
@@ -27,6 +32,13 @@ public:
     /// The button that removes or restores a boundary while the pointer is near it.
     QRectF handleOf(const BoundaryRef& boundary) const;
     QRectF ruler() const;
+    /// Where an action's block is; empty where it is not visible.
+    QRectF blockOf(const ActionRef& action) const;
+
+    const TimelineOptions& options() const { return options_; }
+    void setOptions(const TimelineOptions& options);
+    /// Opens the field for the current action's note.
+    void editNote();
 
     QSize sizeHint() const override { return {800, 190}; }
 
@@ -43,10 +55,12 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    enum class Gesture { None, Scrub, Pan, Press, Drag };
+    enum class Gesture { None, Scrub, Pan, Press, Drag, Loop };
     struct Dragged {
         BoundaryRef boundary;
         int frame = 0;  ///< where it would stand
+        std::vector<SnapTarget> targets;
+        std::optional<SnapKind> snap;  ///< what it is drawn to
     };
 
     void layOut();
@@ -60,12 +74,14 @@ private:
     std::optional<BoundaryRef> handleAt(const QPointF& position) const;
     const BoundaryMark* markOf(const BoundaryRef& boundary) const;
     void scrubTo(double x);
+    bool startDrag();
     void dragTo(double x, bool free);
-    int snapped(int player, double frame) const;
     void endDrag(bool commit);
+    std::vector<SnapTarget> snapTargets(int player) const;
+    std::optional<ActionRef> blockAt(const QPointF& position) const;
+    bool event(QEvent* event) override;
     void hover(const QPointF& position);
     QString describe(int player, double seconds) const;
-    void loopActionAt(int player, double seconds);
 
     Session& session_;
     std::vector<Track> tracks_;
@@ -77,6 +93,9 @@ private:
     std::optional<QPointF> pointer_;
     std::optional<BoundaryRef> hovered_;
     std::optional<Dragged> dragged_;
+    LoopEnd loopEnd_ = LoopEnd::In;
+    TimelineOptions options_;
+    NoteField* note_;
 };
 
 }  // namespace kumite::studio

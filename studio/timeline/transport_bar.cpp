@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QToolButton>
 
 #include <cmath>
@@ -56,6 +57,8 @@ TransportBar::TransportBar(Session& session, CommandTable& commands, QWidget* pa
     layout->addStretch(1);
     selection_->setProperty("role", "second");
     layout->addWidget(selection_);
+    layout->addSpacing(8);
+    addRowChooser(commands, layout);
     connect(&session_.transport(), &Transport::moved, this, &TransportBar::showMoment);
     connect(&session_.transport(), &Transport::stateChanged, this, &TransportBar::showState);
     connect(&session_, &Session::takeChanged, this, &TransportBar::showMoment);
@@ -64,6 +67,28 @@ TransportBar::TransportBar(Session& session, CommandTable& commands, QWidget* pa
     connect(&session_, &Session::selectionChanged, this, &TransportBar::showMoment);
     showMoment();
     showState();
+}
+
+void TransportBar::addRowChooser(CommandTable& commands, QHBoxLayout* layout) {
+    auto* rows = new QToolButton(this);
+    auto* menu = new QMenu(rows);
+    for (const char* command :
+         {"timeline.height", "timeline.rawForce", "timeline.handSpeed", "timeline.footSpeed"}) {
+        menu->addAction(commands.action(QLatin1String(command)));
+    }
+    menu->addSeparator();
+    for (const char* command :
+         {"timeline.rulerBoth", "timeline.rulerTime", "timeline.rulerFrames"}) {
+        menu->addAction(commands.action(QLatin1String(command)));
+    }
+    rows->setText(tr("Rows ▾"));
+    rows->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    rows->setAccessibleName(tr("Rows of the timeline"));
+    rows->setToolTip(tr("What the timeline shows: curves, speeds, units of the ruler"));
+    rows->setMenu(menu);
+    rows->setPopupMode(QToolButton::InstantPopup);
+    rows->setFocusPolicy(Qt::TabFocus);
+    layout->addWidget(rows);
 }
 
 void TransportBar::showMoment() {
@@ -75,6 +100,18 @@ void TransportBar::showMoment() {
         selection_->setText(
             tr("selected: boundary of %1 at %2")
                 .arg(fighterText(selected->player), timeText(session_.timeOf(*selected))));
+    } else if (const auto& action = session_.selectedAction()) {
+        const TimeSpan span = session_.spanOf(*action);
+        const QString note = session_.noteOf(*action);
+        const QString text =
+            tr("selected: action of %1, %2 to %3")
+                .arg(fighterText(action->player), timeText(span.begin), timeText(span.end));
+        selection_->setText(
+            note.isEmpty() ? text
+                           : text + QStringLiteral(" · ") +
+                                 fontMetrics().elidedText(note, Qt::ElideRight,
+                                                          30 * fontMetrics().averageCharWidth()));
+        selection_->setToolTip(note);
     } else {
         selection_->setText(fighter ? tr("active: %1").arg(fighterText(player)) : QString());
     }

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
 
 namespace kumite::studio {
@@ -17,6 +18,7 @@ public:
     TransportBar(Session& session, CommandTable& commands, QWidget* parent = nullptr);
 
 private:
+    void addRowChooser(CommandTable& commands, QHBoxLayout* layout);
     void showMoment();
     void showState();
 

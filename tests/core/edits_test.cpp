@@ -142,7 +142,7 @@ TEST(BoundaryEdits, EveryActDoesWhatItSaysAfterAnyOther) {
             const int frame = places[random() % 2] + draw(-9, 9);
             const int to = frame + draw(-12, 12);
             const auto before = bout.frames();
-            const int act = draw(0, 5);
+            const int act = draw(0, 7);
             MaybeEdit edit;
             try {
                 const Project& p = bout.project;
@@ -151,6 +151,8 @@ TEST(BoundaryEdits, EveryActDoesWhatItSaysAfterAnyOther) {
                 if (act == 2) edit = addBoundary(p, a, kFirst, frame);
                 if (act == 3) edit = moveBoundary(p, a, kFirst, frame, to);
                 if (act == 4) edit = restoreBoundary(p, a, kFirst, frame);
+                if (act == 6) edit = acceptBoundary(p, a, kFirst, frame);
+                if (act == 7) edit = withdrawAcceptance(p, a, kFirst, frame);
                 if (act == 5)
                     edit = setSegmentation(
                         p, {1.0 * draw(5, 7), 0.01 * draw(1, 30), ForceCurve::Norm});
@@ -173,7 +175,9 @@ TEST(BoundaryEdits, EveryActDoesWhatItSaysAfterAnyOther) {
                                    change == 1 && has(frame),
                                    change == 0 && has(to),
                                    change == 1,
-                                   true};
+                                   true,
+                                   change == 0 && has(nearest),
+                                   change <= 0};
             EXPECT_TRUE(asSaid[act]) << log;
             const std::string text = projectText(bout.project, "/");
             EXPECT_EQ(projectText(parseProject(text, "x", "/"), "/"), text) << log;
@@ -211,6 +215,12 @@ std::vector<std::pair<std::string, std::function<MaybeEdit(const Bout&)>>> every
         {"move",
          [=](const Bout& b) {
              return moveBoundary(b.project, b.analysis, kFirst, frame(b), frame(b) + 1);
+         }},
+        {"accept",
+         [=](const Bout& b) { return acceptBoundary(b.project, b.analysis, kFirst, frame(b)); }},
+        {"note",
+         [=](const Bout& b) {
+             return setNote(b.project, b.analysis, kFirst, frame(b), "a feint");
          }},
         {"settings",
          [](const Bout& b) {

@@ -245,7 +245,7 @@ TEST(Export, ActionsAsTableAndJson) {
     EXPECT_EQ(lines,
               1 + static_cast<std::ptrdiff_t>(analysis.at({0, 0}).segmentation->actions.size()));
     EXPECT_EQ(csv.substr(0, csv.find('\n')),
-              "take,player,action,begin,end,peak,begin_s,end_s,peak_force");
+              "take,player,action,begin,end,peak,begin_s,end_s,peak_force,note");
     EXPECT_NE(readText(exported.write("a.json")[0]).find("\"prominence\""), std::string::npos);
 }
 

@@ -188,7 +188,7 @@ TEST(ProjectFile, AnotherSkeletonKeepsTheRolesByName) {
 TEST(ProjectFile, ANewerVersionIsRefused) {
     const SavedBout bout;
     std::string text = readText(bout.file);
-    text.replace(text.find("\"kumite\": 1"), 11, "\"kumite\": 2");
+    text.replace(text.find("\"kumite\": 2"), 11, "\"kumite\": 3");
     try {
         parseProject(text, "bout.kumite", "/");
         FAIL();
@@ -199,6 +199,47 @@ TEST(ProjectFile, ANewerVersionIsRefused) {
     EXPECT_THROW(parseProject("{}", "x", "/"), InputError);
     EXPECT_THROW(parseProject("[]", "x", "/"), InputError);
     EXPECT_THROW(parseProject("", "x", "/"), InputError);
+}
+
+TEST(ProjectFile, AFileOfVersionOneIsRead) {
+    // As version 1 wrote it.
+    const std::string text = R"({
+  "kumite": 1,
+  "segmentation": {"cutoff_hz": 6.0, "prominence_bw": 0.05, "curve": "norm"},
+  "body_model": {"name": "none", "segments": []},
+  "takes": [
+    {
+      "name": "round1",
+      "fighters": [
+        {
+          "recording": {"path": "red.bvh", "sha256": "00"},
+          "metres_per_unit": 0.01,
+          "up": "y",
+          "rate_hz": 60.0,
+          "frames": [0, 200],
+          "offset_s": 0.0,
+          "placement": {"x_m": 0.0, "z_m": 0.0, "yaw_rad": 0.0},
+          "roles": {"pelvis": [0, "Hips"]},
+          "corrections": [
+            {"remove": 40},
+            {"add": 55, "beside": true, "removed": true},
+            {"move": 70, "to": 72}
+          ]
+        }
+      ]
+    }
+  ]
+})";
+    const Project project = parseProject(text, "bout.kumite", "/bouts");
+    const Fighter& fighter = project.takes[0].fighters[0];
+    EXPECT_EQ(fighter.corrections,
+              (std::vector<Correction>{{Correction::Kind::Remove, 40, 0, false, false},
+                                       {Correction::Kind::Add, 55, 0, true, true},
+                                       {Correction::Kind::Move, 70, 72, false, false}}));
+    EXPECT_TRUE(fighter.notes.empty());
+    const std::string now = projectText(project, "/bouts");
+    EXPECT_NE(now.find("\"kumite\": 2"), std::string::npos) << "saved as the present version";
+    EXPECT_EQ(projectText(parseProject(now, "bout.kumite", "/bouts"), "/bouts"), now);
 }
 
 TEST(ProjectFile, SyntaxErrorsNameLineAndColumn) {
@@ -233,7 +274,8 @@ TEST(ProjectFile, WrongKindsAreNamedByTheirPlace) {
     EXPECT_EQ(messageFor("\"pelvis\"", "\"tail\""),
               "b: takes[0].fighters[0].roles: \"tail\" is no joint role.");
     EXPECT_EQ(messageFor("\"remove\": 40", "\"delete\": 40"),
-              "b: takes[0].fighters[0].corrections[0]: expected \"remove\", \"add\" or \"move\".");
+              "b: takes[0].fighters[0].corrections[0]: expected \"remove\", \"add\", \"move\" or "
+              "\"keep\".");
     EXPECT_EQ(messageFor("\"frames\": [0, 200]", "\"frames\": [9, 3]"),
               "b: takes[0].fighters[0].frames: expected [begin, end] with 0 <= begin < end.");
     EXPECT_EQ(messageFor("\"offset_s\"", "\"offset\""),

@@ -1,18 +1,20 @@
 #include "studio/workspaces/segment/segment_panel.h"
 
-#include <QDoubleSpinBox>
-#include <QFormLayout>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
 #include <QPushButton>
 #include <QTableView>
 #include <QVBoxLayout>
 
-#include "core/project/edits.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
+#include "studio/workspaces/segment/compare_box.h"
+#include "studio/workspaces/segment/detection_box.h"
+#include "studio/workspaces/segment/review.h"
+#include "studio/workspaces/segment/statistics_box.h"
 #include "studio/workspaces/segment/suspects_model.h"
+#include "studio/workspaces/segment/unmatched_box.h"
 
 namespace kumite::studio {
 
@@ -30,33 +32,18 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       model_(new SuspectsModel(session, this)),
-      table_(new QTableView(this)),
+      table_(makeTable()),
       empty_(new QLabel(this)),
-      remove_(new QPushButton(tr("Remove minimum"), this)),
-      cutoff_(new QDoubleSpinBox(this)),
-      prominence_(new QDoubleSpinBox(this)),
-      counts_(new QLabel(this)),
-      unmatched_(new QLabel(this)),
-      forget_(new QPushButton(tr("Forget"), this)) {
+      reason_(new QLabel(this)),
+      accept_(new QPushButton(tr("Keep"), this)),
+      remove_(new QPushButton(tr("Remove"), this)),
+      statistics_(new StatisticsBox(session, this)),
+      unmatched_(new UnmatchedBox(session, this)),
+      compare_(new CompareBox(session, this)) {
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 4, 8);
-    layout->setSpacing(6);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(5);
     layout->addWidget(heading(tr("Suspect minima"), this));
-    table_->setModel(model_);
-    table_->setAccessibleName(tr("Suspect minima"));
-    table_->setShowGrid(false);
-    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table_->setSelectionMode(QAbstractItemView::SingleSelection);
-    table_->setTabKeyNavigation(false);
-    table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(22);
-    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    table_->horizontalHeader()->setSectionResizeMode(SuspectsModel::ProminenceColumn,
-                                                     QHeaderView::Stretch);
-    table_->horizontalHeader()->setMinimumSectionSize(40);
-    table_->horizontalHeader()->setHighlightSections(false);
-    table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    table_->setIconSize({8, 8});
     layout->addWidget(table_, 1);
     empty_->setText(
         tr("Minima of the force curves that cut actions appear here, the most "
@@ -65,89 +52,90 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     empty_->setAlignment(Qt::AlignTop);
     empty_->setProperty("role", "second");
     layout->addWidget(empty_, 1);
-    remove_->setFocusPolicy(Qt::TabFocus);
-    layout->addWidget(remove_);
-    layout->addSpacing(6);
-    layout->addWidget(makeSettings());
-    counts_->setWordWrap(true);
-    layout->addWidget(counts_);
-    unmatched_->setWordWrap(true);
-    unmatched_->setProperty("role", "second");
+    layout->addWidget(makeDecisions());
+    layout->addSpacing(3);
+    layout->addWidget(heading(tr("Review"), this));
+    layout->addWidget(statistics_);
     layout->addWidget(unmatched_);
-    layout->addWidget(forget_, 0, Qt::AlignLeft);
-    setMinimumWidth(180);
+    layout->addSpacing(3);
+    layout->addWidget(heading(tr("Detection"), this));
+    layout->addWidget(new DetectionBox(session, this));
+    layout->addWidget(compare_);
+    setMinimumWidth(200);
 
-    connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
-            [this](const QModelIndex& current) { chooseRow(current.row()); });
-    connect(table_, &QTableView::clicked, this,
-            [this](const QModelIndex& index) { chooseRow(index.row()); });
-    connect(table_, &QTableView::activated, this,
-            [this](const QModelIndex& index) { chooseRow(index.row()); });
-    connect(remove_, &QPushButton::clicked, this, [this] {
-        if (session_.selection()) session_.toggleCurrentBoundary();
-    });
-    connect(forget_, &QPushButton::clicked, this, &SegmentPanel::forgetUnmatched);
     connect(&session_, &Session::fightersChanged, this, &SegmentPanel::showFighters);
     connect(&session_, &Session::takeChanged, this, &SegmentPanel::showFighters);
     connect(&session_, &Session::selectionChanged, this, &SegmentPanel::showSelection);
-    connect(&session_.document(), &Document::changed, this, &SegmentPanel::showSettings);
     showFighters();
-    showSettings();
 }
 
-QWidget* SegmentPanel::makeSettings() {
+QTableView* SegmentPanel::makeTable() {
+    auto* table = new QTableView(this);
+    table->setModel(model_);
+    table->setAccessibleName(tr("Suspect minima"));
+    table->setShowGrid(false);
+    table->setWordWrap(false);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setTabKeyNavigation(false);
+    table->setMinimumHeight(92);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(22);
+    QHeaderView* header = table->horizontalHeader();
+    header->setMinimumSectionSize(36);
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(SuspectsModel::ReasonColumn, QHeaderView::Stretch);
+    const QFontMetrics metrics = fontMetrics();
+    header->resizeSection(SuspectsModel::TimeColumn,
+                          metrics.horizontalAdvance(QStringLiteral("00:00.00")) + 22);
+    header->resizeSection(SuspectsModel::SuspicionColumn,
+                          metrics.horizontalAdvance(QStringLiteral("100 %")) + 12);
+    header->setHighlightSections(false);
+    table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    table->setIconSize({8, 8});
+    connect(table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+            [this](const QModelIndex& current) { chooseRow(current.row()); });
+    connect(table, &QTableView::clicked, this,
+            [this](const QModelIndex& index) { chooseRow(index.row()); });
+    return table;
+}
+
+QWidget* SegmentPanel::makeDecisions() {
     auto* box = new QWidget(this);
-    auto* form = new QFormLayout(box);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->setSpacing(6);
-    form->addRow(heading(tr("Segmentation"), box));
-    cutoff_->setRange(0.5, 60.0);
-    cutoff_->setDecimals(1);
-    cutoff_->setSingleStep(0.5);
-    cutoff_->setSuffix(tr(" Hz"));
-    cutoff_->setAccessibleName(tr("Cutoff of the low-pass in Hz"));
-    cutoff_->setToolTip(
-        tr("Low-pass over the centre of mass: lower gives smoother curves and "
-           "fewer minima."));
-    prominence_->setRange(0.0, 5.0);
-    prominence_->setDecimals(3);
-    prominence_->setSingleStep(0.01);
-    prominence_->setSuffix(tr(" BW"));
-    prominence_->setAccessibleName(tr("Least prominence in body weights"));
-    prominence_->setToolTip(tr("A minimum must be at least this deep to be a boundary."));
-    for (QDoubleSpinBox* field : {cutoff_, prominence_}) {
-        field->setLocale(QLocale::c());
-        field->setKeyboardTracking(false);
-        field->setAlignment(Qt::AlignRight);
-        connect(field, &QDoubleSpinBox::editingFinished, this, &SegmentPanel::applySettings);
-    }
-    form->addRow(tr("Cutoff"), cutoff_);
-    form->addRow(tr("Prominence"), prominence_);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    reason_->setWordWrap(true);
+    reason_->setProperty("role", "second");
+    reason_->setAlignment(Qt::AlignTop);
+    reason_->setMinimumHeight(2 * fontMetrics().lineSpacing());
+    reason_->setAccessibleName(tr("Why the minimum is suspected"));
+    layout->addWidget(reason_);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(6);
+    buttons->addWidget(accept_, 1);
+    buttons->addWidget(remove_, 1);
+    layout->addLayout(buttons);
+    for (QPushButton* button : {accept_, remove_})
+        button->setFocusPolicy(Qt::TabFocus);
+    accept_->setToolTip(tr("It is a boundary: no suspect any more; goes on to the next (Return)"));
+    connect(accept_, &QPushButton::clicked, this, [this] { acceptSuspect(session_); });
+    connect(remove_, &QPushButton::clicked, this, [this] {
+        const auto& selected = session_.selection();
+        const BoundaryMark* mark =
+            selected ? nearestMark(session_.marks(selected->player), selected->frame, 0.5)
+                     : nullptr;
+        if (mark != nullptr && !mark->isLive()) {
+            session_.toggleBoundary(*selected);
+        } else {
+            rejectSuspect(session_);
+        }
+    });
     return box;
 }
 
-void SegmentPanel::applySettings() {
-    if (filling_ || !session_.document().isOpen()) return;
-    SegmentationSettings settings = session_.document().project().segmentation;
-    // What the fields cannot show exactly must not become an edit when they are left untouched.
-    if (cutoff_->text() != cutoff_->textFromValue(settings.cutoff) + cutoff_->suffix()) {
-        settings.cutoff = cutoff_->value();
-    }
-    if (prominence_->text() !=
-        prominence_->textFromValue(settings.prominence) + prominence_->suffix()) {
-        settings.prominence = prominence_->value();
-    }
-    session_.document().apply(
-        [&](const Project& project) { return setSegmentation(project, settings); });
-    showSettings();
-}
-
-void SegmentPanel::showSettings() {
-    filling_ = true;
-    const SegmentationSettings& settings = session_.document().project().segmentation;
-    cutoff_->setValue(settings.cutoff);
-    prominence_->setValue(settings.prominence);
-    filling_ = false;
+QWidget* SegmentPanel::list() const {
+    return table_;
 }
 
 void SegmentPanel::showFighters() {
@@ -156,29 +144,8 @@ void SegmentPanel::showFighters() {
     filling_ = false;
     table_->setVisible(model_->rowCount() > 0);
     empty_->setVisible(model_->rowCount() == 0);
-    QStringList lines;
-    QStringList lost;
-    for (int player = 0; player < session_.playerCount(); ++player) {
-        const FighterAnalysis* fighter = session_.fighter(player);
-        if (fighter == nullptr) continue;
-        const Segmentation& segmentation = *fighter->segmentation;
-        const auto count = segmentation.actions.size();
-        QString line = count == 1 ? tr("%1: 1 action").arg(fighterText(player))
-                                  : tr("%1: %2 actions").arg(fighterText(player)).arg(count);
-        const auto removed = segmentation.removed.size();
-        if (removed > 0) line += tr(", %1 removed").arg(removed);
-        lines.append(line);
-        for (const Correction& correction : segmentation.unmatched) {
-            lost.append(tr("%1 at %2")
-                            .arg(fighterText(player),
-                                 timeText(timeOfFrame(fighter->input, correction.frame))));
-        }
-    }
-    counts_->setText(lines.join(QLatin1Char('\n')));
-    unmatched_->setText(
-        tr("No minimum is left for the correction of %1.").arg(lost.join(tr(", "))));
-    unmatched_->setVisible(!lost.isEmpty());
-    forget_->setVisible(!lost.isEmpty());
+    statistics_->refresh();
+    unmatched_->refresh();
     showSelection();
 }
 
@@ -195,26 +162,24 @@ void SegmentPanel::showSelection() {
     const BoundaryMark* mark =
         selected ? nearestMark(session_.marks(selected->player), selected->frame, 0.5) : nullptr;
     const bool removed = mark != nullptr && !mark->isLive();
-    const bool minimum = mark == nullptr || mark->minimum.has_value();
+    accept_->setEnabled(mark != nullptr &&
+                        (mark->isOpen() || (removed && mark->minimum.has_value())));
     remove_->setEnabled(mark != nullptr);
-    remove_->setText(removed   ? (minimum ? tr("Restore minimum") : tr("Restore boundary"))
-                     : minimum ? tr("Remove minimum")
-                               : tr("Remove boundary"));
+    remove_->setText(removed ? tr("Restore") : tr("Remove"));
+    remove_->setToolTip(removed ? tr("Bring the boundary back (Del)")
+                                : tr("It is spurious; goes on to the next (Backspace)"));
+    if (row >= 0) {
+        reason_->setText(model_->toldAt(row));
+    } else {
+        reason_->setText(mark ? tr("A boundary that a hand has set.")
+                              : tr("N leads to the most suspicious minimum."));
+    }
     filling_ = false;
 }
 
 void SegmentPanel::chooseRow(int row) {
     if (filling_ || row < 0 || row >= model_->rowCount()) return;
-    session_.goTo(model_->boundaryAt(row));
-}
-
-void SegmentPanel::forgetUnmatched() {
-    for (int player = 0; player < session_.playerCount(); ++player) {
-        const FighterAddress address{session_.take(), player};
-        session_.document().apply([&](const Project& project, const Analysis& analysis) {
-            return dropUnmatchedCorrections(project, analysis, address);
-        });
-    }
+    session_.goTo(model_->suspectAt(row).boundary);
 }
 
 }  // namespace kumite::studio

@@ -2,43 +2,47 @@
 
 #include <QWidget>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QTableView;
 
 namespace kumite::studio {
 
+class CompareBox;
 class Session;
+class StatisticsBox;
 class SuspectsModel;
+class UnmatchedBox;
 
-/// What the Segment workspace is about: the minima that are most likely spurious, how streams are
-/// cut, and how many actions come out.
+/// What the Segment workspace is about: the minima that are most likely spurious and what to do
+/// with them, how far that has come, and how streams are cut.
 class SegmentPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit SegmentPanel(Session& session, QWidget* parent = nullptr);
 
+    /// The list of suspects: the keys of a review work in it.
+    QWidget* list() const;
+    CompareBox& comparison() { return *compare_; }
+
 private:
-    QWidget* makeSettings();
+    QTableView* makeTable();
+    QWidget* makeDecisions();
     void showFighters();
-    void showSettings();
     void showSelection();
-    void applySettings();
     void chooseRow(int row);
-    void forgetUnmatched();
 
     Session& session_;
     SuspectsModel* model_;
     QTableView* table_;
     QLabel* empty_;
+    QLabel* reason_;
+    QPushButton* accept_;
     QPushButton* remove_;
-    QDoubleSpinBox* cutoff_;
-    QDoubleSpinBox* prominence_;
-    QLabel* counts_;
-    QLabel* unmatched_;
-    QPushButton* forget_;
+    StatisticsBox* statistics_;
+    UnmatchedBox* unmatched_;
+    CompareBox* compare_;
     bool filling_ = false;
 };
 

@@ -8,7 +8,6 @@
 #include <QPixmap>
 
 #include <algorithm>
-#include <tuple>
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
@@ -31,6 +30,22 @@ QIcon dot(const QColor& colour) {
     return icon;
 }
 
+QString stateText(MarkState state) {
+    switch (state) {
+        case MarkState::Removed:
+            return SuspectsModel::tr(", removed");
+        case MarkState::Accepted:
+            return SuspectsModel::tr(", accepted");
+        case MarkState::Moved:
+        case MarkState::Added:
+            return SuspectsModel::tr(", set by hand");
+        case MarkState::Detected:
+        case MarkState::End:
+            break;
+    }
+    return {};
+}
+
 }  // namespace
 
 SuspectsModel::SuspectsModel(const Session& session, QObject* parent)
@@ -38,35 +53,28 @@ SuspectsModel::SuspectsModel(const Session& session, QObject* parent)
 
 void SuspectsModel::refresh() {
     beginResetModel();
-    rows_.clear();
-    for (int player = 0; player < session_.playerCount(); ++player) {
-        const FighterAnalysis* fighter = session_.fighter(player);
-        if (fighter == nullptr) continue;
-        for (const BoundaryMark& mark : session_.marks(player)) {
-            if (!mark.minimum) continue;
-            const auto& minimum = fighter->force->minima[static_cast<std::size_t>(*mark.minimum)];
-            const BoundaryRef boundary{player, mark.frame};
-            rows_.push_back({boundary, session_.timeOf(boundary), minimum.prominence,
-                             mark.suspicion, !mark.isLive()});
-        }
-    }
-    std::stable_sort(rows_.begin(), rows_.end(), [](const Row& a, const Row& b) {
-        return std::tuple(-a.suspicion, a.seconds) < std::tuple(-b.suspicion, b.seconds);
-    });
+    rows_ = suspectsOf(session_);
     endResetModel();
 }
 
-BoundaryRef SuspectsModel::boundaryAt(int row) const {
-    return rows_[static_cast<std::size_t>(row)].boundary;
+std::optional<SuspectReason> SuspectsModel::reasonOf(int row) const {
+    const Suspect& suspect = suspectAt(row);
+    const FighterAnalysis* fighter = session_.fighter(suspect.boundary.player);
+    if (fighter == nullptr || !fighter->force) return std::nullopt;
+    return suspectReason(*fighter, suspect.minimum);
 }
 
-bool SuspectsModel::isRemoved(int row) const {
-    return rows_[static_cast<std::size_t>(row)].removed;
+QString SuspectsModel::toldAt(int row) const {
+    const Suspect& suspect = suspectAt(row);
+    const auto reason = reasonOf(row);
+    return tr("%1: %2, suspicion %3%4")
+        .arg(fighterText(suspect.boundary.player), reason ? reasonText(*reason) : QString(),
+             percentText(suspect.suspicion), stateText(suspect.state));
 }
 
 int SuspectsModel::rowOf(const BoundaryRef& boundary) const {
     const auto found = std::find_if(rows_.begin(), rows_.end(),
-                                    [&](const Row& row) { return row.boundary == boundary; });
+                                    [&](const Suspect& row) { return row.boundary == boundary; });
     return found == rows_.end() ? -1 : static_cast<int>(found - rows_.begin());
 }
 
@@ -79,32 +87,33 @@ int SuspectsModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant SuspectsModel::data(const QModelIndex& index, int role) const {
-    const Row& row = rows_[static_cast<std::size_t>(index.row())];
+    const Suspect& row = suspectAt(index.row());
     const Colours& c = coloursFor(QGuiApplication::palette());
     switch (role) {
         case Qt::DisplayRole:
-            if (index.column() == TimeColumn) return timeText(row.seconds);
-            if (index.column() == ProminenceColumn) return bodyWeightsText(row.prominence);
-            return percentText(row.suspicion);
+            if (index.column() == TimeColumn) return timeText(row.seconds, 0.01);
+            if (index.column() == ReasonColumn) {
+                const auto reason = reasonOf(index.row());
+                return reason ? shortReasonText(*reason) : QString();
+            }
+            if (row.isOpen()) return percentText(row.suspicion);
+            return row.state == MarkState::Removed ? QStringLiteral("×") : QStringLiteral("✓");
         case Qt::DecorationRole:
             if (index.column() != TimeColumn) return {};
             return dot(c.fighters[row.boundary.player]);
         case Qt::TextAlignmentRole:
-            return index.column() == TimeColumn ? int(Qt::AlignLeft | Qt::AlignVCenter)
-                                                : int(Qt::AlignRight | Qt::AlignVCenter);
+            return index.column() == SuspicionColumn ? int(Qt::AlignRight | Qt::AlignVCenter)
+                                                     : int(Qt::AlignLeft | Qt::AlignVCenter);
         case Qt::FontRole: {
             QFont font;
-            font.setStrikeOut(row.removed);
+            font.setStrikeOut(row.state == MarkState::Removed);
             return font;
         }
         case Qt::ForegroundRole:
-            return row.removed ? c.secondText : c.text;
+            return row.isOpen() ? c.text : c.secondText;
         case Qt::ToolTipRole:
         case Qt::AccessibleTextRole:
-            return tr("%1, %2, prominence %3, suspicion %4%5")
-                .arg(fighterText(row.boundary.player), timeText(row.seconds),
-                     bodyWeightsText(row.prominence), percentText(row.suspicion),
-                     row.removed ? tr(", removed") : QString());
+            return tr("%1, %2").arg(timeText(row.seconds), toldAt(index.row()));
         default:
             return {};
     }
@@ -113,20 +122,22 @@ QVariant SuspectsModel::data(const QModelIndex& index, int role) const {
 QVariant SuspectsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal) return {};
     if (role == Qt::TextAlignmentRole) {
-        return section == TimeColumn ? int(Qt::AlignLeft) : int(Qt::AlignRight);
+        return section == SuspicionColumn ? int(Qt::AlignRight) : int(Qt::AlignLeft);
     }
     if (role == Qt::ToolTipRole) {
-        if (section == ProminenceColumn) {
-            return tr("How deep the minimum is against its surroundings, body weights");
+        if (section == ReasonColumn) {
+            return tr("What speaks against the minimum, and how deep it is");
         }
         if (section == SuspicionColumn) {
-            return tr("How likely the minimum is spurious, learnt from what hands removed");
+            return tr(
+                "How likely the minimum is spurious, learnt from what hands removed "
+                "and accepted; ✓ accepted or set by hand, × removed");
         }
     }
     if (role != Qt::DisplayRole) return {};
     if (section == TimeColumn) return tr("time");
-    if (section == ProminenceColumn) return tr("promin.");
-    return tr("suspic.");
+    if (section == ReasonColumn) return tr("why");
+    return tr("susp.");
 }
 
 }  // namespace kumite::studio

@@ -2,25 +2,29 @@
 
 #include <QAbstractTableModel>
 
+#include <optional>
 #include <vector>
 
-#include "studio/app/session.h"
+#include "core/project/review.h"
+#include "studio/workspaces/segment/review.h"
 
 namespace kumite::studio {
 
-/// The force minima of the shown take that cut actions, or did until a hand removed them, the
-/// most suspicious first.
+/// The minima of the shown take as a table, in the order of `suspectsOf`.
 class SuspectsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { TimeColumn, ProminenceColumn, SuspicionColumn, ColumnCount };
+    enum Column { TimeColumn, ReasonColumn, SuspicionColumn, ColumnCount };
 
     explicit SuspectsModel(const Session& session, QObject* parent = nullptr);
 
     void refresh();
-    BoundaryRef boundaryAt(int row) const;
-    bool isRemoved(int row) const;
+    const Suspect& suspectAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+    /// Nothing where the fighter has no force.
+    std::optional<SuspectReason> reasonOf(int row) const;
+    /// What is known about a row, in words.
+    QString toldAt(int row) const;
     /// -1 where the boundary is not in the list.
     int rowOf(const BoundaryRef& boundary) const;
 
@@ -30,16 +34,8 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    struct Row {
-        BoundaryRef boundary;
-        double seconds = 0;
-        double prominence = 0;
-        double suspicion = 0;
-        bool removed = false;
-    };
-
     const Session& session_;
-    std::vector<Row> rows_;
+    std::vector<Suspect> rows_;
 };
 
 }  // namespace kumite::studio

@@ -1,0 +1,171 @@
+// Pure functions of the timeline, as properties over made curves, zooms and marks.
+
+#include "studio/timeline/level_of_detail.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "studio/timeline/loop_handles.h"
+#include "studio/timeline/snapping.h"
+#include "studio/timeline/time_mapping.h"
+#include "studio/workspaces/segment/value_field.h"
+
+namespace kumite::studio {
+namespace {
+
+std::vector<double> noise(std::size_t size, unsigned seed) {
+    std::mt19937 random(seed);
+    std::vector<double> samples(size);
+    for (double& sample : samples)
+        sample = std::normal_distribution<>(1, 0.3)(random);
+    return samples;
+}
+
+TEST(CurveColumns, LoseNoPeakAtAnyZoomAndAnyScroll) {
+    std::mt19937 random(11);
+    for (const std::size_t size : {1U, 2U, 37U, 1000U, 20'000U}) {
+        const std::vector<double> samples = noise(size, static_cast<unsigned>(size));
+        const CurvePyramid curve(samples);
+        for (int trial = 0; trial < 60; ++trial) {
+            const double step = std::pow(10.0, std::uniform_real_distribution<>(-3, -0.2)(random));
+            const double left = 118, right = 118 + 900;
+            const SampleAxis axis{std::uniform_real_distribution<>(
+                                      right - static_cast<double>(size) * step - 50, right)(random),
+                                  step};
+            const auto columns = curveColumns(curve, axis, left, right);
+            std::size_t column = 0;
+            for (std::size_t i = 0; i < size; ++i) {
+                const double x = axis.xOf(static_cast<double>(i));
+                if (x < left + 1e-6 || x > right - 1 - 1e-6) continue;
+                // A sample that stands on an edge may be in either column.
+                while (column + 1 < columns.size() && columns[column].x + 1 <= x - 1e-9)
+                    ++column;
+                bool held = false;
+                for (std::size_t c = column > 0 ? column - 1 : 0;
+                     c < std::min(columns.size(), column + 2); ++c) {
+                    const auto value = static_cast<float>(samples[i]);
+                    held |= std::abs(columns[c].x + 0.5 - x) <= 0.5 + 1e-6 &&
+                            columns[c].low <= value && value <= columns[c].high;
+                }
+                ASSERT_TRUE(held) << "sample " << i << " of " << size << ", step " << step;
+            }
+        }
+    }
+}
+
+TEST(CurveColumns, TouchEachOtherAndHoldNothingThatIsElsewhere) {
+    const std::vector<double> samples = noise(5000, 3);
+    const CurvePyramid curve(samples);
+    const SampleAxis axis{-40.3, 0.13};
+    const auto columns = curveColumns(curve, axis, 0, 400);
+    ASSERT_EQ(columns.size(), 400U);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (i > 0) {
+            EXPECT_LE(columns[i].low, columns[i - 1].high);
+            EXPECT_GE(columns[i].high, columns[i - 1].low);
+        }
+        // Its own samples and the one before.
+        const auto first = static_cast<std::size_t>(std::ceil(axis.sampleAt(columns[i].x))) - 1;
+        const auto end = static_cast<std::size_t>(std::ceil(axis.sampleAt(columns[i].x + 1)));
+        const auto [low, high] = std::minmax_element(samples.begin() + static_cast<long>(first),
+                                                     samples.begin() + static_cast<long>(end));
+        ASSERT_FLOAT_EQ(columns[i].low, static_cast<float>(*low)) << i;
+        ASSERT_FLOAT_EQ(columns[i].high, static_cast<float>(*high)) << i;
+    }
+    EXPECT_TRUE(curveColumns(curve, {1000, 0.1}, 0, 400).empty()) << "the curve is elsewhere";
+    EXPECT_TRUE(curveColumns(CurvePyramid(), axis, 0, 400).empty());
+}
+
+TEST(SamplesWithin, ReachBeyondBothEdges) {
+    const SampleAxis axis{10, 3};
+    const SampleRange range = samplesWithin(axis, 1000, 100, 200);
+    EXPECT_LE(axis.xOf(static_cast<double>(range.begin)), 100);
+    EXPECT_GE(axis.xOf(static_cast<double>(range.end - 1)), 200);
+    EXPECT_EQ(samplesWithin(axis, 20, 500, 600).begin, samplesWithin(axis, 20, 500, 600).end);
+    EXPECT_EQ(samplesWithin(axis, 20, -100, 600).end, 20U);
+}
+
+TEST(HeaviestPerCell, KeepsTheHeaviestOfEveryCellInOrder) {
+    std::mt19937 random(2);
+    for (int trial = 0; trial < 200; ++trial) {
+        std::vector<double> xs(80), weights(80);
+        for (double& x : xs)
+            x = std::uniform_real_distribution<>(-20, 60)(random);
+        for (double& weight : weights)
+            weight = std::uniform_int_distribution<>(0, 5)(random);
+        std::sort(xs.begin(), xs.end());
+        const auto kept = heaviestPerCell(xs, weights, 2);
+        EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+        for (std::size_t i = 0; i < xs.size(); ++i) {
+            const auto owner = std::find_if(kept.begin(), kept.end(), [&](std::size_t k) {
+                return std::floor(xs[k] / 2) == std::floor(xs[i] / 2);
+            });
+            ASSERT_NE(owner, kept.end());
+            ASSERT_GE(weights[*owner], weights[i]);
+        }
+    }
+}
+
+TEST(NearestTarget, IsTheNearestWithinReachAndAMinimumAmongEquals) {
+    const std::vector<SnapTarget> targets = {{SnapKind::Playhead, 100},
+                                             {SnapKind::OtherFighter, 104},
+                                             {SnapKind::Minimum, 108},
+                                             {SnapKind::Contact, 108}};
+    EXPECT_EQ(nearestTarget(targets, 101, 3), (SnapTarget{SnapKind::Playhead, 100}));
+    EXPECT_EQ(nearestTarget(targets, 106, 5), (SnapTarget{SnapKind::Minimum, 108}));
+    EXPECT_EQ(nearestTarget(targets, 108.4, 5), (SnapTarget{SnapKind::Minimum, 108}));
+    EXPECT_FALSE(nearestTarget(targets, 120, 5));
+    EXPECT_FALSE(nearestTarget({}, 120, 5));
+}
+
+TEST(DragLimits, AreStrictlyBetweenLiveNeighbours) {
+    std::vector<BoundaryMark> marks(5);
+    marks[0] = {0, MarkState::End, {}, 0};
+    marks[1] = {40, MarkState::Detected, 0, 0};
+    marks[2] = {60, MarkState::Removed, 1, 0};
+    marks[3] = {80, MarkState::Added, {}, 0};
+    marks[4] = {199, MarkState::End, {}, 0};
+    EXPECT_EQ(dragLimits(marks, 40, 200).low, 1);
+    EXPECT_EQ(dragLimits(marks, 40, 200).high, 79) << "what was removed is no border";
+    EXPECT_EQ(dragLimits(marks, 80, 200).low, 41);
+    EXPECT_EQ(dragLimits(marks, 80, 200).high, 198);
+}
+
+TEST(LoopEnds, AreFoundUnderThePointerAndNeverCross) {
+    const TimeMapping map{0, 10, 100, 1000};
+    const TimeSpan range{2, 4};
+    EXPECT_EQ(loopEndAt(range, map, 303), LoopEnd::In);
+    EXPECT_EQ(loopEndAt(range, map, 497), LoopEnd::Out);
+    EXPECT_FALSE(loopEndAt(range, map, 400));
+    EXPECT_FALSE(loopEndAt(std::nullopt, map, 300));
+    const TimeSpan point{2, 2};
+    EXPECT_EQ(loopEndAt(point, map, 298), LoopEnd::In);
+    EXPECT_EQ(loopEndAt(point, map, 302), LoopEnd::Out);
+    EXPECT_DOUBLE_EQ(withLoopEnd(range, LoopEnd::In, 9).begin, 4);
+    EXPECT_DOUBLE_EQ(withLoopEnd(range, LoopEnd::Out, 1).end, 2);
+    EXPECT_DOUBLE_EQ(withLoopEnd(range, LoopEnd::Out, 7).end, 7);
+}
+
+TEST(FrameStep, KeepsItsDistanceAndHasWholeFifths) {
+    for (double pixelsPerFrame = 1e-4; pixelsPerFrame < 200; pixelsPerFrame *= 1.37) {
+        const double step = frameStep(pixelsPerFrame, 104);
+        EXPECT_GE(step * pixelsPerFrame, 104 - 1e-9);
+        EXPECT_DOUBLE_EQ(step / 5, std::round(step / 5));
+    }
+}
+
+TEST(SliderScale, GoesThereAndBack) {
+    const SliderScale scale{0.5, 20, 390};
+    for (int step = 0; step <= scale.steps; ++step)
+        EXPECT_EQ(scale.stepOf(scale.valueAt(step)), step);
+    EXPECT_DOUBLE_EQ(scale.valueAt(0), 0.5);
+    EXPECT_DOUBLE_EQ(scale.valueAt(scale.steps), 20);
+    EXPECT_EQ(scale.stepOf(1000), scale.steps);
+    EXPECT_EQ(scale.stepOf(-3), 0);
+}
+
+}  // namespace
+}  // namespace kumite::studio
