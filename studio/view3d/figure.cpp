@@ -42,7 +42,7 @@ vtkNew<vtkPolyData> unitSquare() {
 
 }  // namespace
 
-ShadowActor::ShadowActor(vtkRenderer* renderer) {
+ShadowActor::ShadowActor(vtkRenderer* renderer, int layer) : layer_(layer) {
     picture_->SetDimensions(FloorShadow::kCells, FloorShadow::kCells, 1);
     picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
     vtkNew<vtkTexture> texture;
@@ -69,13 +69,13 @@ void ShadowActor::show(const std::vector<Bone>& bones, const std::vector<Eigen::
         texel += 4;
     }
     picture_->Modified();
-    actor_->SetPosition(shadow_.centre.x(), kShadowHeight, shadow_.centre.y());
+    actor_->SetPosition(shadow_.centre.x(), kShadowHeight + 0.001 * layer_, shadow_.centre.y());
     actor_->SetScale(shadow_.extent, 1, shadow_.extent);
     actor_->VisibilityOn();
 }
 
-Figure::Figure(vtkRenderer* renderer)
-    : shadow_(renderer),
+Figure::Figure(vtkRenderer* renderer, int player)
+    : shadow_(renderer, player),
       body_(renderer, MeshActor::Surface::Body),
       force_(renderer, MeshActor::Surface::Marker),
       contacts_(renderer, MeshActor::Surface::Flat),

@@ -24,7 +24,8 @@ inline constexpr float kSole = 0.028F;
 /// The shadow of a body on the floor.
 class ShadowActor {
 public:
-    explicit ShadowActor(vtkRenderer* renderer);
+    /// `layer` 0, 1, …: shadows of one place lie upon one another in this order.
+    ShadowActor(vtkRenderer* renderer, int layer);
 
     /// 0 … 1.
     void setStrength(double strength) { strength_ = strength; }
@@ -33,6 +34,7 @@ public:
 
 private:
     double strength_ = 0.4;
+    int layer_;
     FloorShadow shadow_;
     vtkNew<vtkImageData> picture_;
     vtkNew<vtkActor> actor_;
@@ -44,7 +46,7 @@ public:
     /// Metres that the arrow of one body weight is long.
     static constexpr float kMetresPerBodyWeight = 0.5F;
 
-    explicit Figure(vtkRenderer* renderer);
+    Figure(vtkRenderer* renderer, int player);
 
     void setColours(const QColor& body, const QColor& marker, double shadow);
     void show(const std::vector<Bone>& bones, const FigurePose& pose, const Overlays& overlays);

@@ -65,13 +65,25 @@ FigurePose poseAt(const FighterAnalysis& fighter, int frame, const Overlays& ove
             pose.force = (placed(fighter.input, floor, com + force) - at).cast<float>();
         }
     }
+    if (overlays.contacts && fighter.body) {
+        const RoleMap& roles = fighter.input.roles;
+        for (const bool left : {true, false}) {
+            const auto& contacts =
+                left ? fighter.body->contacts.left : fighter.body->contacts.right;
+            const auto toe = footPoint(*fighter.input.motion->skeleton, roles, left);
+            if (!toe || index >= contacts.size() || contacts[index] == 0) continue;
+            const int heel = roles[left ? Role::LeftAnkle : Role::RightAnkle].value_or(*toe);
+            pose.footContacts.push_back({pose.joints[static_cast<std::size_t>(heel)],
+                                         pose.joints[static_cast<std::size_t>(*toe)]});
+        }
+    }
     if (overlays.trails) {
         pose.trails = trailsAt(fighter, frame, overlays.trailBefore, overlays.trailAfter);
     }
     return pose;
 }
 
-double jointSpeed(const FighterAnalysis& fighter, int frame, int joint) {
+double jointSpeedAt(const FighterAnalysis& fighter, int frame, int joint) {
     const int before = clampedFrame(fighter, frame - 1);
     const int after = clampedFrame(fighter, frame + 1);
     if (after == before) return 0;

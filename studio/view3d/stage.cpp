@@ -22,21 +22,18 @@ void addLight(vtkRenderer* renderer, double x, double y, double z, double intens
 }  // namespace
 
 Stage::Stage(vtkRenderer* renderer)
-    : renderer_(renderer), floor_(renderer), figures_{Figure(renderer), Figure(renderer)} {
+    : renderer_(renderer), floor_(renderer), figures_{Figure(renderer, 0), Figure(renderer, 1)} {
     renderer_->SetAutomaticLightCreation(false);
-    renderer_->SetGradientBackground(false);
     // From above right, a fill from the left, and a rim from behind.
-    addLight(renderer_, 0.5, 1.1, 0.9, 0.80);
-    addLight(renderer_, -0.9, 0.2, 0.7, 0.32);
+    addLight(renderer_, 0.5, 1.1, 0.9, 0.85);
+    addLight(renderer_, -0.9, 0.2, 0.7, 0.40);
     addLight(renderer_, 0.2, 0.6, -1.0, 0.30);
 }
 
 void Stage::setColours(const Colours& colours, int active) {
     colours_ = &colours;
-    const QColor low = colours.ground;
-    const QColor high = colours.dark ? colours.ground.lighter(118) : QColor("#ffffff");
-    renderer_->SetBackground(low.redF(), low.greenF(), low.blueF());
-    renderer_->SetBackground2(high.redF(), high.greenF(), high.blueF());
+    const QColor& ground = colours.ground;
+    renderer_->SetBackground(ground.redF(), ground.greenF(), ground.blueF());
     for (int player = 0; player < 2; ++player) {
         const QColor plain = colours.fighters[player];
         const double away = active < 0 || player == active ? 0.0 : colours.dark ? 0.20 : 0.12;

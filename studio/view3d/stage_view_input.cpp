@@ -92,7 +92,7 @@ void StageView::showLabels() {
         const auto at = jointPosition(joint);
         if (fighter != nullptr && at) {
             const double speed =
-                jointSpeed(*fighter, session_.shownFrame(joint.player), joint.joint);
+                jointSpeedAt(*fighter, session_.shownFrame(joint.player), joint.joint);
             marks.points.push_back(
                 {*at, tr("%1   %2 m/s")
                           .arg(jointText(*fighter, joint.joint), QString::number(speed, 'f', 1))});
