@@ -88,7 +88,7 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
     commands.add({"view.follow",
                   menu,
                   text("&Follow the fighters"),
-                  {QKeySequence("Alt+F")},
+                  {QKeySequence("Shift+F")},
                   [view] { view->setFollowing(!view->isFollowing()); },
                   open,
                   [view] { return view->isFollowing(); }});
@@ -111,7 +111,7 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
     overlay("view.trails", menu, text("&Trails of hands and feet"), "Alt+T", &Overlays::trails);
     overlay("view.centreOfMass", menu, text("Centre of &mass"), "Alt+M", &Overlays::centreOfMass);
     overlay("view.force", menu, text("Contact f&orce"), "Alt+O", &Overlays::force);
-    overlay("view.ghosts", menu, text("&Ghosts"), "Alt+G", &Overlays::ghosts);
+    overlay("view.ghosts", menu, text("&Ghosts"), "Ctrl+G", &Overlays::ghosts);
     commands.add({"view.trailLonger",
                   group,
                   text("Longer trails"),

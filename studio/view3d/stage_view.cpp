@@ -21,6 +21,7 @@ StageView::StageView(Session& session, QWidget* parent)
     setAccessibleName(tr("3D view"));
     setFocusPolicy(Qt::ClickFocus);
     setMinimumSize(320, 200);
+    scene_->canvas->setAttribute(Qt::WA_TransparentForMouseEvents);
     scene_->caption->setProperty("role", "second");
     scene_->caption->setAttribute(Qt::WA_TransparentForMouseEvents);
     connect(&session_, &Session::takeChanged, this, &StageView::takeChanged);

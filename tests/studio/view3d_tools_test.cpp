@@ -91,10 +91,10 @@ TEST_F(View3dTest, GhostStaysWhileTheFightersMoveOn) {
     EXPECT_EQ(stage().ghostCount(), 1) << "twice at one moment";
     session().transport().setPlayhead(2.7);
     const QImage with = stage().picture();
-    press(Qt::Key_G, Qt::AltModifier);
+    press(Qt::Key_G, Qt::ControlModifier);
     const QImage hidden = stage().picture();
     EXPECT_GT(differences(with, hidden), 500);
-    press(Qt::Key_G, Qt::AltModifier);
+    press(Qt::Key_G, Qt::ControlModifier);
     EXPECT_EQ(stage().picture(), with);
     press(Qt::Key_G, Qt::ShiftModifier);
     EXPECT_EQ(stage().ghostCount(), 0);
@@ -144,7 +144,7 @@ TEST_F(View3dTest, FollowedPointMovesSmoothlyAndTheCameraWithIt) {
     EXPECT_LT(largest, 0.01);
     EXPECT_FALSE(followedPoint({nullptr, nullptr}, 1.0));
 
-    press(Qt::Key_F, Qt::AltModifier);
+    press(Qt::Key_F, Qt::ShiftModifier);
     EXPECT_TRUE(stage().isFollowing());
     const auto middle = [&] { return 0.5 * (at(0, Role::Pelvis).x() + at(1, Role::Pelvis).x()); };
     EXPECT_NEAR(middle(), stage().width() / 2.0, 60);
