@@ -106,6 +106,8 @@ void VtkWidget::draw(bool smooth) {
     window_->SetSize(std::max(1, static_cast<int>(std::lround(width() * ratio))),
                      std::max(1, static_cast<int>(std::lround(height() * ratio))));
     renderer_->SetUseFXAA(smooth);
+    // Ghosts are drawn over their own depth.
+    window_->GetState()->vtkglDepthFunc(GL_LEQUAL);
     window_->Render();
     readPicture();
     picture_.setDevicePixelRatio(ratio);

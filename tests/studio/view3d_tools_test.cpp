@@ -190,7 +190,9 @@ TEST_F(View3dTest, MeasuresBetweenClickedJointsAndStaysLive) {
 
 TEST_F(View3dTest, HoveredJointTellsItsNameAndSpeed) {
     QString said;
-    QObject::connect(&session(), &Session::hovered, [&](const QString& text) { said = text; });
+    const QObject listener;
+    QObject::connect(&session(), &Session::hovered, &listener,
+                     [&](const QString& text) { said = text; });
     press(Qt::Key_1, Qt::AltModifier);
     QTest::mouseMove(&stage(), at(1, Role::LeftKnee).toPoint());
     EXPECT_TRUE(said.isEmpty()) << "only the tool asks for joints";
