@@ -146,7 +146,7 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                   [view] { return view->isMeasuring(); }});
     // Enabled only while measuring, so that Esc keeps its other meanings.
     commands.add({"view.leaveMeasuring",
-                  {},
+                  menu,
                   text("Leave measuring"),
                   {QKeySequence("Esc")},
                   [view] { view->setMeasuring(false); },
