@@ -38,6 +38,7 @@ std::shared_ptr<const FighterBody> deriveBody(const Fighter& fighter, const Body
     body->floor = fighter.floor ? *fighter.floor
                                 : floorHeight(skeleton, fighter.roles, positions).value_or(0.0);
     body->footSpeed = fasterFootSpeed(fighter, positions);
+    body->contacts = footContacts(skeleton, fighter.roles, positions, fighter.rate);
     return body;
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/motion/contacts.h"
 #include "core/project/project.h"
 #include "core/segmentation/centre_of_mass.h"
 #include "core/segmentation/segmentation.h"
@@ -20,6 +21,7 @@ struct FighterBody {
     CentreOfMass com;
     double floor = 0;              ///< metres, in the file's space
     std::vector<float> footSpeed;  ///< of the faster foot, m/s; empty without feet
+    FootContacts contacts;
 };
 
 /// Stage 3: force and its minima. Depends on stage 2, rate, cutoff and curve.

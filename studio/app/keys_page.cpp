@@ -58,7 +58,9 @@ std::vector<Group> groupsOf(const CommandTable& commands) {
                       {{KeysPage::tr("drag"), KeysPage::tr("turn")},
                        {KeysPage::tr("middle or Shift+drag"), KeysPage::tr("move")},
                        {KeysPage::tr("wheel"), KeysPage::tr("zoom about the pointer")},
-                       {KeysPage::tr("click a fighter"), KeysPage::tr("make it the active one")}}});
+                       {KeysPage::tr("click a fighter"), KeysPage::tr("make it the active one")},
+                       {KeysPage::tr("measuring: click joints"),
+                        KeysPage::tr("distance; over a joint: its speed")}}});
     return groups;
 }
 

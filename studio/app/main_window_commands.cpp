@@ -14,6 +14,7 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/main_window.h"
 #include "studio/app/recent_files.h"
+#include "studio/app/view_commands.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/segment/segment_panel.h"
@@ -24,10 +25,6 @@ namespace {
 
 QString grouped(const QString& menu) {
     return QLatin1Char('-') + menu;
-}
-
-QKeySequence keypad(Qt::Key key) {
-    return QKeySequence(QKeyCombination(Qt::KeypadModifier, key));
 }
 
 }  // namespace
@@ -282,24 +279,6 @@ void MainWindow::addViewCommands() {
                         session_.frameSelection();
                     },
                     open});
-    commands_->add({"view.front",
-                    grouped(menu),
-                    tr("From the f&ront"),
-                    {keypad(Qt::Key_1)},
-                    [this] { stage_->lookFromFront(); },
-                    open});
-    commands_->add({"view.side",
-                    menu,
-                    tr("From the &side"),
-                    {keypad(Qt::Key_3)},
-                    [this] { stage_->lookFromSide(); },
-                    open});
-    commands_->add({"view.top",
-                    menu,
-                    tr("From a&bove"),
-                    {keypad(Qt::Key_7)},
-                    [this] { stage_->lookFromTop(); },
-                    open});
     commands_->add({"view.panels",
                     grouped(menu),
                     tr("Hide or show &panels"),
@@ -327,6 +306,7 @@ void MainWindow::addViewCommands() {
                         {},
                         [this, choice = choice] { return theme_ == choice; }});
     }
+    addStageCommands(*commands_, *stage_, session_);
     const QString help = tr("&Help");
     commands_->add(
         {"help.keys", help, tr("&Keys and mouse"), {QKeySequence("F1")}, [this] { showKeys(); }});

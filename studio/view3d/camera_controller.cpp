@@ -27,8 +27,8 @@ Eigen::Vector3d CameraController::up() const {
     return right().cross(forward());
 }
 
-double CameraController::metresPerPixel(const Viewport& viewport) const {
-    return 2 * distance_ * std::tan(kFieldOfView / 2) / std::max(1.0, viewport.height);
+double CameraController::metresPerPixel(double depth, const Viewport& viewport) {
+    return 2 * depth * std::tan(kFieldOfView / 2) / std::max(1.0, viewport.height);
 }
 
 void CameraController::orbit(double dx, double dy, const Viewport& viewport) {
@@ -38,14 +38,14 @@ void CameraController::orbit(double dx, double dy, const Viewport& viewport) {
 }
 
 void CameraController::pan(double dx, double dy, const Viewport& viewport) {
-    target_ += (-dx * right() + dy * up()) * metresPerPixel(viewport);
+    target_ += (-dx * right() + dy * up()) * metresPerPixel(distance_, viewport);
 }
 
 void CameraController::zoomAbout(double x, double y, double factor, const Viewport& viewport) {
     const double before = distance_;
     distance_ = std::clamp(distance_ / factor, kNearest, kFarthest);
     const double share = 1 - distance_ / before;
-    const double scale = 2 * before * std::tan(kFieldOfView / 2) / std::max(1.0, viewport.height);
+    const double scale = metresPerPixel(before, viewport);
     const Eigen::Vector3d offset =
         ((x - viewport.width / 2) * right() - (y - viewport.height / 2) * up()) * scale;
     target_ += share * offset;
@@ -72,6 +72,22 @@ void CameraController::frame(const Box& box, const Viewport& viewport) {
 void CameraController::lookFrom(double yaw, double pitch) {
     yaw_ = yaw;
     pitch_ = std::clamp(pitch, -kSteepest, kSteepest);
+}
+
+void CameraController::standAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target) {
+    const Eigen::Vector3d way = target - position;
+    distance_ = std::clamp(way.norm(), kNearest, kFarthest);
+    target_ = target;
+    if (way.norm() < 1e-9) return;
+    const Eigen::Vector3d ahead = way.normalized();
+    lookFrom(std::atan2(-ahead.x(), -ahead.z()), std::asin(std::clamp(-ahead.y(), -1.0, 1.0)));
+}
+
+Ray CameraController::rayThrough(double x, double y, const Viewport& viewport) const {
+    const double scale = metresPerPixel(1.0, viewport);
+    const Eigen::Vector3d way = forward() + (x - viewport.width / 2) * scale * right() -
+                                (y - viewport.height / 2) * scale * up();
+    return {position(), way.normalized()};
 }
 
 Eigen::Vector3d CameraController::project(const Eigen::Vector3d& point,

@@ -23,6 +23,12 @@ struct Viewport {
     double height = 1;
 };
 
+/// A half line: `direction` has length 1.
+struct Ray {
+    Eigen::Vector3d origin;
+    Eigen::Vector3d direction;
+};
+
 /// A camera that turns about a point: what the mouse and the view keys change. y is up, angles in
 /// radians, distances in metres. Knows nothing of the drawing.
 class CameraController {
@@ -39,6 +45,10 @@ public:
     void frame(const Box& box, const Viewport& viewport);
     /// Looks along a direction; yaw 0 looks from +z toward -z, pitch is downward.
     void lookFrom(double yaw, double pitch);
+    /// Stands at a point and looks at another.
+    void standAt(const Eigen::Vector3d& position, const Eigen::Vector3d& target);
+    /// Moves without turning.
+    void move(const Eigen::Vector3d& way) { target_ += way; }
 
     Eigen::Vector3d target() const { return target_; }
     Eigen::Vector3d position() const { return target_ - distance_ * forward(); }
@@ -49,10 +59,12 @@ public:
 
     /// Where a point appears in the picture, pixels; z is the depth in metres, negative behind.
     Eigen::Vector3d project(const Eigen::Vector3d& point, const Viewport& viewport) const;
+    /// All that appears at a point of the picture, seen from the camera.
+    Ray rayThrough(double x, double y, const Viewport& viewport) const;
+    /// How long a pixel is at a depth, metres.
+    static double metresPerPixel(double depth, const Viewport& viewport);
 
 private:
-    double metresPerPixel(const Viewport& viewport) const;
-
     Eigen::Vector3d target_ = {0.0, 0.9, 0.0};
     double distance_ = 6.0;
     double yaw_ = 0.6;

@@ -1,6 +1,5 @@
 #include "studio/view3d/figure.h"
 
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
 #include <vtkPointData.h>
@@ -9,178 +8,144 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkUnsignedCharArray.h>
-
-#include <Eigen/Eigenvalues>
+#include <vtkTexture.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <numbers>
 
 namespace kumite::studio {
 
 namespace {
 
-vtkNew<vtkPoints> pointsOf(const std::vector<Eigen::Vector3f>& points) {
-    vtkNew<vtkPoints> result;
-    result->SetDataTypeToFloat();
-    result->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-    if (!points.empty()) {
-        std::memcpy(result->GetVoidPointer(0), points.data(), points.size() * sizeof(points[0]));
+/// Heights of flat things, so that none hides another: grid, shadow, bands.
+constexpr float kShadowHeight = -kSole + 0.002F;
+constexpr float kBandHeight = -kSole + 0.006F;
+
+/// A square of side 1 about the origin of the floor, with the picture's corners.
+vtkNew<vtkPolyData> unitSquare() {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkFloatArray> corners;
+    corners->SetNumberOfComponents(2);
+    vtkNew<vtkCellArray> cells;
+    cells->InsertNextCell(4);
+    for (const auto& [x, z] :
+         {std::pair(-1, -1), std::pair(1, -1), std::pair(1, 1), std::pair(-1, 1)}) {
+        points->InsertNextPoint(0.5 * x, 0, 0.5 * z);
+        corners->InsertNextTuple2(0.5 + 0.5 * x, 0.5 + 0.5 * z);
+        cells->InsertCellPoint(points->GetNumberOfPoints() - 1);
     }
-    return result;
-}
-
-/// Moves the mesh into `data`; the triangles are kept where their number did not change.
-void put(const Mesh& mesh, vtkPolyData* data) {
-    const vtkNew<vtkPoints> points = pointsOf(mesh.points);
-    data->SetPoints(points);
-    vtkNew<vtkFloatArray> normals;
-    normals->SetNumberOfComponents(3);
-    normals->SetNumberOfTuples(static_cast<vtkIdType>(mesh.normals.size()));
-    if (!mesh.normals.empty()) {
-        std::memcpy(normals->GetVoidPointer(0), mesh.normals.data(),
-                    mesh.normals.size() * sizeof(mesh.normals[0]));
-    }
-    data->GetPointData()->SetNormals(normals);
-    const auto count = static_cast<vtkIdType>(mesh.triangles.size() / 3);
-    if (data->GetNumberOfPolys() != count) {
-        vtkNew<vtkCellArray> cells;
-        for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-            const vtkIdType corners[3] = {mesh.triangles[i], mesh.triangles[i + 1],
-                                          mesh.triangles[i + 2]};
-            cells->InsertNextCell(3, corners);
-        }
-        data->SetPolys(cells);
-    }
-    data->Modified();
-}
-
-void connect(vtkPolyData* data, vtkActor* actor, vtkRenderer* renderer) {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(data);
-    actor->SetMapper(mapper);
-    actor->VisibilityOff();
-    renderer->AddActor(actor);
-}
-
-void setColour(vtkActor* actor, const QColor& colour) {
-    actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-}
-
-/// An ellipse on the floor under a set of points: its centre and its two half axes.
-struct Ellipse {
-    Eigen::Vector2f centre, along, across;
-};
-
-Ellipse ellipseUnder(const std::vector<Eigen::Vector3f>& joints) {
-    Eigen::Vector2f mean = Eigen::Vector2f::Zero();
-    for (const auto& joint : joints)
-        mean += Eigen::Vector2f(joint.x(), joint.z());
-    mean /= static_cast<float>(joints.size());
-    Eigen::Matrix2f spread = Eigen::Matrix2f::Zero();
-    for (const auto& joint : joints) {
-        const Eigen::Vector2f d = Eigen::Vector2f(joint.x(), joint.z()) - mean;
-        spread += d * d.transpose() / static_cast<float>(joints.size());
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2f> axes(spread);
-    const auto half = [&](int i) {
-        const float size = 0.16F + 1.7F * std::sqrt(std::max(0.0F, axes.eigenvalues()[i]));
-        return Eigen::Vector2f(size * axes.eigenvectors().col(i));
-    };
-    return {mean, half(0), half(1)};
+    vtkNew<vtkPolyData> square;
+    square->SetPoints(points);
+    square->SetPolys(cells);
+    square->GetPointData()->SetTCoords(corners);
+    return square;
 }
 
 }  // namespace
 
-Figure::Figure(vtkRenderer* renderer) {
-    connect(shadowData_, blob_, renderer);
-    connect(bodyData_, body_, renderer);
-    connect(forceData_, force_, renderer);
-    body_->GetProperty()->SetAmbient(0.42);
-    body_->GetProperty()->SetDiffuse(0.68);
-    body_->GetProperty()->SetSpecular(0.12);
-    body_->GetProperty()->SetSpecularPower(18);
-    force_->GetProperty()->SetAmbient(0.6);
-    force_->GetProperty()->SetDiffuse(0.5);
-    blob_->GetProperty()->LightingOff();
+ShadowActor::ShadowActor(vtkRenderer* renderer, int layer) : layer_(layer) {
+    picture_->SetDimensions(FloorShadow::kCells, FloorShadow::kCells, 1);
+    picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+    vtkNew<vtkTexture> texture;
+    texture->SetInputData(picture_);
+    texture->InterpolateOn();
+    texture->RepeatOff();
+    texture->EdgeClampOn();
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputData(unitSquare());
+    actor_->SetMapper(mapper);
+    actor_->SetTexture(texture);
+    actor_->GetProperty()->LightingOff();
+    actor_->ForceOpaqueOn();
+    actor_->VisibilityOff();
+    renderer->AddActor(actor_);
 }
 
-void Figure::setColours(const QColor& body, const QColor& force, double shadow) {
-    setColour(body_, body);
-    setColour(force_, force);
-    shadow_ = shadow;
+void ShadowActor::show(const std::vector<Bone>& bones, const std::vector<Eigen::Vector3f>& joints) {
+    castShadow(bones, joints, -kSole, shadow_);
+    auto* texel = static_cast<unsigned char*>(picture_->GetScalarPointer());
+    for (const std::uint8_t darkness : shadow_.darkness) {
+        texel[0] = texel[1] = texel[2] = 0;
+        texel[3] = static_cast<unsigned char>(strength_ * darkness);
+        texel += 4;
+    }
+    picture_->Modified();
+    actor_->SetPosition(shadow_.centre.x(), kShadowHeight + 0.001 * layer_, shadow_.centre.y());
+    actor_->SetScale(shadow_.extent, 1, shadow_.extent);
+    actor_->VisibilityOn();
 }
 
-void Figure::show(const std::vector<Bone>& bones, const FigurePose& pose) {
+Figure::Figure(vtkRenderer* renderer, int player)
+    : shadow_(renderer, player),
+      body_(renderer, MeshActor::Surface::Body),
+      force_(renderer, MeshActor::Surface::Marker),
+      contacts_(renderer, MeshActor::Surface::Flat),
+      trails_(renderer, MeshActor::Surface::Marker) {}
+
+void Figure::setColours(const QColor& body, const QColor& marker, double shadow) {
+    body_.setColour(body);
+    for (MeshActor* actor : {&force_, &contacts_, &trails_})
+        actor->setColour(marker);
+    shadow_.setStrength(shadow);
+}
+
+void Figure::show(const std::vector<Bone>& bones, const FigurePose& pose,
+                  const Overlays& overlays) {
     if (pose.joints.empty()) {
         hide();
         return;
     }
     buildBody(bones, pose.joints, mesh_);
-    put(mesh_, bodyData_);
-    body_->VisibilityOn();
-    showShadow(pose);
-    showForce(pose);
+    body_.show(mesh_);
+    shadow_.show(bones, pose.joints);
+    showForce(pose, overlays);
+    showContacts(pose);
+    showTrails(pose);
 }
 
 void Figure::hide() {
-    body_->VisibilityOff();
-    force_->VisibilityOff();
-    blob_->VisibilityOff();
+    shadow_.hide();
+    for (MeshActor* actor : {&body_, &force_, &contacts_, &trails_})
+        actor->hide();
 }
 
-void Figure::showForce(const FigurePose& pose) {
-    force_->SetVisibility(pose.centreOfMass.has_value());
-    if (!pose.centreOfMass) return;
+void Figure::showForce(const FigurePose& pose, const Overlays& overlays) {
     mesh_.clear();
-    const Eigen::Vector3f com = *pose.centreOfMass;
-    const Eigen::Vector3f ground(com.x(), -kSole, com.z());
-    mesh_.addEllipsoid(com, Eigen::Vector3f::UnitY(), 0.035F, 0.035F);
-    mesh_.addEllipsoid(ground, Eigen::Vector3f::UnitY(), 0.004F, 0.05F);
-    if (pose.force) {
-        const Eigen::Vector3f tip = ground + kMetresPerBodyWeight * *pose.force;
-        mesh_.addArrow(ground, tip, 0.011F);
+    if (pose.centreOfMass) {
+        const Eigen::Vector3f com = *pose.centreOfMass;
+        const Eigen::Vector3f ground(com.x(), kBandHeight, com.z());
+        if (overlays.centreOfMass) {
+            mesh_.addCapsule(ground, com, 0.004F, 0.004F);
+            mesh_.addFloorBand(ground, ground, 0.035F, 0.012F, kBandHeight);
+        }
+        if (overlays.force && pose.force) {
+            mesh_.addArrow(ground, ground + kMetresPerBodyWeight * *pose.force, 0.012F);
+        }
     }
-    put(mesh_, forceData_);
+    force_.show(mesh_);
 }
 
-void Figure::showShadow(const FigurePose& pose) {
-    constexpr int kSides = 32;
-    constexpr int kRings = 6;
-    const Ellipse ellipse = ellipseUnder(pose.joints);
-    std::vector<Eigen::Vector3f> corners;
-    vtkNew<vtkUnsignedCharArray> colours;
-    colours->SetNumberOfComponents(4);
-    for (int ring = 0; ring <= kRings; ++ring) {
-        const float radius = static_cast<float>(ring) / kRings;
-        const double fade = (1 - radius * radius) * (1 - radius * radius);
-        const auto alpha = static_cast<unsigned char>(255 * shadow_ * fade);
-        for (int side = 0; side < kSides; ++side) {
-            const float angle = 2 * std::numbers::pi_v<float> * static_cast<float>(side) / kSides;
-            const Eigen::Vector2f p = ellipse.centre + radius * (std::cos(angle) * ellipse.along +
-                                                                 std::sin(angle) * ellipse.across);
-            corners.emplace_back(p.x(), -kSole + 0.003F, p.y());
-            colours->InsertNextTuple4(0, 0, 0, alpha);
+void Figure::showContacts(const FigurePose& pose) {
+    mesh_.clear();
+    for (const auto& [heel, toe] : pose.footContacts)
+        mesh_.addFloorBand(heel, toe, 0.065F, 0.014F, kBandHeight);
+    contacts_.show(mesh_);
+}
+
+void Figure::showTrails(const FigurePose& pose) {
+    mesh_.clear();
+    std::vector<float> radii;
+    for (const Trail& trail : pose.trails) {
+        radii.clear();
+        const auto size = static_cast<int>(trail.path.size());
+        for (int i = 0; i < size; ++i) {
+            // Thickest where the limb is now, away in both directions.
+            const int away = i < trail.now ? trail.now - i : i - trail.now;
+            const int whole = std::max(1, i < trail.now ? trail.now : size - 1 - trail.now);
+            radii.push_back(0.001F + 0.010F * (1 - static_cast<float>(away) / whole));
         }
+        mesh_.addThread(trail.path, radii);
     }
-    if (shadowData_->GetNumberOfPolys() == 0) {
-        vtkNew<vtkCellArray> cells;
-        for (int ring = 0; ring < kRings; ++ring) {
-            for (int side = 0; side < kSides; ++side) {
-                const vtkIdType a = ring * kSides + side;
-                const vtkIdType b = ring * kSides + (side + 1) % kSides;
-                const vtkIdType quad[4] = {a, b, b + kSides, a + kSides};
-                cells->InsertNextCell(4, quad);
-            }
-        }
-        shadowData_->SetPolys(cells);
-    }
-    const vtkNew<vtkPoints> points = pointsOf(corners);
-    shadowData_->SetPoints(points);
-    shadowData_->GetPointData()->SetScalars(colours);
-    blob_->VisibilityOn();
+    trails_.show(mesh_);
 }
 
 }  // namespace kumite::studio

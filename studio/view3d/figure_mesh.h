@@ -4,25 +4,20 @@
 
 #include <Eigen/Core>
 
-#include "core/motion/roles.h"
-#include "core/motion/skeleton.h"
+#include "studio/view3d/bones.h"
 
 namespace kumite::studio {
 
-/// A part of a drawn body: a rounded cone from one joint to another, or the head's ellipsoid
-/// around both. Radii in metres.
-struct Bone {
-    int from = 0;
-    int to = 0;
-    double fromRadius = 0;
-    double toRadius = 0;
-    bool isHead = false;
+/// A body that turns about `axis` (a unit vector): half `length` along it, half `width` across.
+struct Ellipsoid {
+    Eigen::Vector3f centre;
+    Eigen::Vector3f axis;
+    float length = 0;
+    float width = 0;
 };
 
-/// A bone from every joint to each of its children, End Sites included; as thick as its role in
-/// the body says, or by its length where the skeleton has no roles. `metresPerUnit` scales the
-/// skeleton's offsets.
-std::vector<Bone> bonesOf(const Skeleton& skeleton, const RoleMap& roles, double metresPerUnit);
+/// What is drawn for a bone that is a head, metres.
+Ellipsoid headOf(const Bone& bone, const Eigen::Vector3f& from, const Eigen::Vector3f& to);
 
 /// A triangle mesh whose corners have normals; points are metres.
 struct Mesh {
@@ -34,11 +29,15 @@ struct Mesh {
     /// A cone with round ends.
     void addCapsule(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float fromRadius,
                     float toRadius);
-    /// An ellipsoid that turns about `axis` (a unit vector).
-    void addEllipsoid(const Eigen::Vector3f& centre, const Eigen::Vector3f& axis, float length,
-                      float width);
+    void addEllipsoid(const Ellipsoid& ellipsoid);
     /// A straight arrow with a pointed head.
     void addArrow(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius);
+    /// A thread along a path, of two points or more, as thick at each as `radii` says.
+    void addThread(const std::vector<Eigen::Vector3f>& path, const std::vector<float>& radii);
+    /// A flat band on the floor, `width` wide, around all that is within `radius` of the line
+    /// between the places of `from` and `to` on the floor; `height` is the floor's.
+    void addFloorBand(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float radius,
+                      float width, float height);
 };
 
 /// A body's mesh at one pose: `joints` are the positions of all joints, metres. The number and

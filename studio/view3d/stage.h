@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <vector>
 
 #include <vtkActor.h>
@@ -10,36 +11,42 @@
 #include "studio/app/theme.h"
 #include "studio/view3d/camera_controller.h"
 #include "studio/view3d/figure.h"
+#include "studio/view3d/floor.h"
+#include "studio/view3d/ghost.h"
 
 class vtkRenderer;
 
 namespace kumite::studio {
 
-/// The scene: a floor grid of 1 m (fine lines every 0.5 m) that fades with distance, light, and
-/// room for two fighters.
+/// The scene: floor, light, two fighters and ghosts of both.
 class Stage {
 public:
     explicit Stage(vtkRenderer* renderer);
 
     Figure& figure(int player) { return figures_[static_cast<std::size_t>(player)]; }
+    Floor& floor() { return floor_; }
     /// `active` is the player who is drawn brighter, -1 for none.
     void setColours(const Colours& colours, int active);
-    /// Whether edges are smoothed.
-    void setSmooth(bool smooth);
-    /// The floor reaches at least over this box.
-    void setFloor(const Box& box);
     void setCamera(const CameraController& camera);
 
+    /// A fighter at another moment, beside those that are there.
+    void addGhost(int player, const std::vector<Bone>& bones,
+                  const std::vector<Eigen::Vector3f>& joints);
+    void clearGhosts();
+
 private:
-    void drawFloor();
+    struct PlayerGhost {
+        int player;
+        Ghost ghost;
+    };
 
     vtkRenderer* renderer_;
     const Colours* colours_ = nullptr;
-    Eigen::Vector2d floorCentre_ = Eigen::Vector2d::Zero();
-    double floorRadius_ = 5;
-    vtkNew<vtkPolyData> floorData_;
-    vtkNew<vtkActor> floor_;
+    Floor floor_;
     std::array<Figure, 2> figures_;
+    // Actors are kept for the next ghosts; the first `ghostCount_` are shown.
+    std::deque<PlayerGhost> ghosts_;
+    std::size_t ghostCount_ = 0;
 };
 
 }  // namespace kumite::studio

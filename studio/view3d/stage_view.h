@@ -1,17 +1,31 @@
 #pragma once
 
+#include <QImage>
 #include <QPoint>
 #include <QWidget>
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "studio/view3d/measuring.h"
+#include "studio/view3d/overlays.h"
+
+namespace kumite {
+struct FighterAnalysis;
+}
 
 namespace kumite::studio {
 
 class Session;
+struct Viewport;
 
 /// The 3D view: both fighters of the take at the moment that the session shows, on the floor.
 /// Left drag turns, middle or Shift+drag moves, the wheel zooms about the pointer, a click on a
-/// fighter makes it the active one.
+/// fighter makes it the active one; with the measuring tool a click takes a joint.
 class StageView : public QWidget {
     Q_OBJECT
 
@@ -26,6 +40,39 @@ public:
     void lookFromFront();
     void lookFromSide();
     void lookFromTop();
+    /// From behind a fighter, toward its opponent.
+    void lookOverShoulder(int player);
+    /// The camera moves along with the fighters.
+    void setFollowing(bool following);
+    bool isFollowing() const { return following_; }
+
+    const Overlays& overlays() const { return overlays_; }
+    void setOverlays(const Overlays& overlays);
+
+    /// Leaves the fighters as they stand now as ghosts; of too many the oldest goes.
+    void addGhost();
+    void clearGhosts();
+    int ghostCount() const { return static_cast<int>(ghostTimes_.size()); }
+
+    void setMeasuring(bool on);
+    bool isMeasuring() const;
+    /// The measured distance now, metres; nothing until two joints were chosen.
+    std::optional<double> measuredDistance() const;
+    const Measuring& measuring() const;
+
+    /// Where a joint is drawn, in the view's pixels; nothing where there is no such joint or it
+    /// lies behind the camera.
+    std::optional<QPointF> jointPosition(const JointRef& joint) const;
+
+    /// What the view shows, in device pixels, without its buttons.
+    QImage picture();
+
+    /// Puts a widget (the view's buttons) into the upper right corner.
+    void setTools(QWidget* tools);
+
+Q_SIGNALS:
+    /// Overlays, ghosts, follow or the measuring tool changed.
+    void switchesChanged();
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -34,19 +81,35 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
 
 private:
     void takeChanged();
     void bodiesChanged();
     void showPose();
+    void showGhosts();
     void showColours();
+    void showLabels();
+    void showCaption();
     void applyCamera();
+    void follow();
+    void placeOverlays();
     void lookFrom(double yaw, double pitch);
     void activateFighterAt(const QPointF& position);
+    void hoverAt(const QPointF& position);
+    std::optional<JointRef> jointUnder(const QPointF& position) const;
+    std::optional<Eigen::Vector3d> jointPlace(const JointRef& joint) const;
+    std::array<const FighterAnalysis*, 2> fighters() const;
+    Viewport viewport() const;
 
     struct Scene;
     Session& session_;
     std::unique_ptr<Scene> scene_;
+    Overlays overlays_;
+    std::vector<double> ghostTimes_;  ///< seconds on the take's clock
+    bool following_ = false;
+    std::optional<Eigen::Vector3d> followed_;  ///< what the camera followed last
+    QWidget* tools_ = nullptr;
     QPointF lastPointer_;
     QPointF pressed_;
     bool dragged_ = false;

@@ -1,8 +1,10 @@
 #include "studio/view3d/vtk_widget.h"
 
+#include <QOffscreenSurface>
 #include <QOpenGLContext>
-#include <QOpenGLExtraFunctions>
 #include <QOpenGLFunctions>
+#include <QPainter>
+#include <QPaintEvent>
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -16,7 +18,20 @@
 
 namespace kumite::studio {
 
-VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
+namespace {
+
+/// Milliseconds without a change after which edges are smoothed.
+constexpr int kStill = 120;
+
+/// OpenGL's bytes r, g, b, a as one of Qt's pixels; little-endian, as all machines with a desktop.
+quint32 qtPixel(quint32 rgba) {
+    return 0xff000000U | ((rgba & 0xffU) << 16U) | (rgba & 0xff00U) | ((rgba >> 16U) & 0xffU);
+}
+
+}  // namespace
+
+VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
     window_->SetMultiSamples(0);
     window_->SetOwnContext(0);
     window_->SetFrameBlitModeToNoBlit();
@@ -28,12 +43,17 @@ VtkWidget::VtkWidget(QWidget* parent) : QOpenGLWidget(parent) {
     observer_->SetCallback(&VtkWidget::handleWindowEvent);
     window_->AddObserver(vtkCommand::WindowMakeCurrentEvent, observer_);
     window_->AddObserver(vtkCommand::WindowIsCurrentEvent, observer_);
+    stillness_.setSingleShot(true);
+    stillness_.setInterval(kStill);
+    connect(&stillness_, &QTimer::timeout, this, &VtkWidget::smoothen);
 }
 
 VtkWidget::~VtkWidget() {
-    if (QOpenGLContext* mine = context()) {
-        disconnect(mine, &QOpenGLContext::aboutToBeDestroyed, this, nullptr);
-        releaseContext();
+    if (ready_) {
+        context_->makeCurrent(surface_.get());
+        window_->Finalize();
+        window_->SetReadyForRendering(false);
+        context_->doneCurrent();
     }
     window_->RemoveObserver(observer_);
     window_->RemoveRenderer(renderer_);
@@ -50,79 +70,102 @@ void VtkWidget::markDirty() {
 
 void VtkWidget::handleWindowEvent(vtkObject*, unsigned long event, void* self, void* data) {
     auto* widget = static_cast<VtkWidget*>(self);
-    QOpenGLContext* mine = widget->context();
+    QOpenGLContext* mine = widget->context_.get();
     if (event == vtkCommand::WindowMakeCurrentEvent) {
-        // Not QOpenGLWidget::makeCurrent: that rebinds Qt's framebuffer behind VTK's cached state.
-        if (mine != nullptr && widget->surface_ != nullptr) mine->makeCurrent(widget->surface_);
+        if (mine != nullptr) mine->makeCurrent(widget->surface_.get());
     } else if (event == vtkCommand::WindowIsCurrentEvent) {
         *static_cast<bool*>(data) = mine != nullptr && mine == QOpenGLContext::currentContext();
     }
 }
 
-void VtkWidget::initializeGL() {
-    QOpenGLContext* mine = context();
-    surface_ = mine->surface();
-    connect(mine, &QOpenGLContext::aboutToBeDestroyed, this, &VtkWidget::releaseContext,
-            Qt::UniqueConnection);
+bool VtkWidget::start() {
+    if (ready_) return true;
+    if (context_) return false;  // tried before
+    context_ = std::make_unique<QOpenGLContext>();
+    surface_ = std::make_unique<QOffscreenSurface>();
+    if (!context_->create()) return false;
+    surface_->setFormat(context_->format());
+    surface_->create();
+    if (!context_->makeCurrent(surface_.get())) return false;
     window_->SetForceMaximumHardwareLineWidth(1);
     window_->SetReadyForRendering(true);
     window_->OpenGLInitContext();
     window_->SetMapped(1);
-    const auto* name = mine->functions()->glGetString(GL_RENDERER);
+    const auto* name = context_->functions()->glGetString(GL_RENDERER);
     const QByteArray device(reinterpret_cast<const char*>(name));
     software_ = device.contains("llvmpipe") || device.contains("softpipe") ||
                 device.contains("SWR") || device.contains("Software");
     ready_ = true;
-    dirty_ = true;
+    return true;
 }
 
-void VtkWidget::releaseContext() {
-    if (!ready_) return;
-    ready_ = false;
-    makeCurrent();
-    window_->Finalize();
-    window_->SetReadyForRendering(false);
-    doneCurrent();
-    surface_ = nullptr;
-}
-
-void VtkWidget::resizeGL(int width, int height) {
+void VtkWidget::draw(bool smooth) {
+    if (!start()) return;
+    context_->makeCurrent(surface_.get());
     const double ratio = devicePixelRatioF();
-    window_->SetSize(std::max(1, static_cast<int>(std::lround(width * ratio))),
-                     std::max(1, static_cast<int>(std::lround(height * ratio))));
+    window_->SetSize(std::max(1, static_cast<int>(std::lround(width() * ratio))),
+                     std::max(1, static_cast<int>(std::lround(height() * ratio))));
+    renderer_->SetUseFXAA(smooth);
+    // Ghosts are drawn over their own depth.
+    window_->GetState()->vtkglDepthFunc(GL_LEQUAL);
+    window_->Render();
+    readPicture();
+    picture_.setDevicePixelRatio(ratio);
+    dirty_ = false;
+    smooth_ = smooth;
+}
+
+void VtkWidget::readPicture() {
+    const int* size = window_->GetSize();
+    const int columns = size[0];
+    const int rows = size[1];
+    pixels_.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    vtkOpenGLState* state = window_->GetState();
+    state->PushReadFramebufferBinding();
+    window_->GetDisplayFramebuffer()->Bind(GL_READ_FRAMEBUFFER);
+    window_->GetDisplayFramebuffer()->ActivateReadBuffer(0);
+    context_->functions()->glReadPixels(0, 0, columns, rows, GL_RGBA, GL_UNSIGNED_BYTE,
+                                        pixels_.data());
+    state->PopReadFramebufferBinding();
+    if (picture_.size() != QSize(columns, rows)) {
+        picture_ = QImage(columns, rows, QImage::Format_RGB32);
+    }
+    for (int row = 0; row < rows; ++row) {
+        const quint32* from = pixels_.data() + std::ptrdiff_t{rows - 1 - row} * columns;
+        std::transform(from, from + columns, reinterpret_cast<quint32*>(picture_.scanLine(row)),
+                       qtPixel);
+    }
+}
+
+void VtkWidget::paintEvent(QPaintEvent* event) {
+    if (dirty_) {
+        draw(ready_ && !software_);
+        if (!smooth_) stillness_.start();
+    }
+    QPainter painter(this);
+    if (picture_.isNull()) {
+        painter.fillRect(event->rect(), palette().window());
+        return;
+    }
+    const double ratio = picture_.devicePixelRatio();
+    const QRectF part = event->rect();
+    painter.drawImage(part, picture_, QRectF(part.topLeft() * ratio, part.size() * ratio));
+}
+
+void VtkWidget::resizeEvent(QResizeEvent*) {
     dirty_ = true;
 }
 
-void VtkWidget::paintGL() {
-    if (!ready_) return;
-    if (dirty_) {
-        dirty_ = false;
-        vtkOpenGLState* state = window_->GetState();
-        state->Reset();
-        state->Push();
-        state->vtkglDepthFunc(GL_LEQUAL);
-        window_->Render();
-        state->Pop();
-    }
-    copyPicture();
+void VtkWidget::smoothen() {
+    if (dirty_ || smooth_ || !isVisible()) return;
+    draw(true);
+    update();
 }
 
-void VtkWidget::copyPicture() {
-    vtkOpenGLFramebufferObject* picture = window_->GetDisplayFramebuffer();
-    QOpenGLExtraFunctions* gl = context()->extraFunctions();
-    const int* size = window_->GetSize();
-    gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, picture->GetFBOIndex());
-    gl->glReadBuffer(GL_COLOR_ATTACHMENT0);
-    gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-    gl->glDisable(GL_SCISSOR_TEST);
-    gl->glBlitFramebuffer(0, 0, size[0], size[1], 0, 0, size[0], size[1], GL_COLOR_BUFFER_BIT,
-                          GL_NEAREST);
-    // Anything but opaque would show what lies behind the widget, and leave holes in grabs.
-    gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
-    gl->glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
-    gl->glClearColor(0.0F, 0.0F, 0.0F, 1.0F);
-    gl->glClear(GL_COLOR_BUFFER_BIT);
-    gl->glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+QImage VtkWidget::picture() {
+    draw(true);
+    update();
+    return picture_;
 }
 
 }  // namespace kumite::studio

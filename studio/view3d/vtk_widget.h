@@ -1,11 +1,16 @@
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QImage>
+#include <QTimer>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
 
 #include <vtkNew.h>
-#include <vtkSmartPointer.h>
 
-class QSurface;
+class QOffscreenSurface;
+class QOpenGLContext;
 class vtkCallbackCommand;
 class vtkGenericOpenGLRenderWindow;
 class vtkObject;
@@ -13,10 +18,13 @@ class vtkRenderer;
 
 namespace kumite::studio {
 
-/// A Qt widget that shows one VTK renderer: VTK draws into its own framebuffer inside Qt's
-/// context, the picture is copied into the widget's framebuffer. Draws only what was marked
-/// dirty. Mouse and keys are left to the parent widget. Survives a change of its OpenGL context.
-class VtkWidget : public QOpenGLWidget {
+/// A Qt widget that shows one VTK renderer. VTK draws into a framebuffer of a context of its own;
+/// the picture is read back and painted like any other. An OpenGL widget would make Qt compose the
+/// whole window anew for each change anywhere in it, which without a graphics card takes longer
+/// than the scene. Draws only what was marked dirty. Mouse and keys are left to the parent widget.
+///
+/// Without a graphics card edges are smoothed only once the picture has stood still for a moment.
+class VtkWidget : public QWidget {
     Q_OBJECT
 
 public:
@@ -24,28 +32,34 @@ public:
     ~VtkWidget() override;
 
     vtkRenderer* renderer() const;
-    /// Whether pictures are computed without a graphics card; known once something was drawn.
-    bool isSoftware() const { return software_; }
     /// The scene changed: draw it anew at the next occasion.
     void markDirty();
+    /// The picture with smooth edges, device pixels.
+    QImage picture();
 
 protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     static void handleWindowEvent(vtkObject* caller, unsigned long event, void* self, void* data);
-    void releaseContext();
-    void copyPicture();
+    bool start();
+    void draw(bool smooth);
+    void readPicture();
+    void smoothen();
 
+    std::unique_ptr<QOffscreenSurface> surface_;
+    std::unique_ptr<QOpenGLContext> context_;
     vtkNew<vtkGenericOpenGLRenderWindow> window_;
     vtkNew<vtkRenderer> renderer_;
     vtkNew<vtkCallbackCommand> observer_;
-    QSurface* surface_ = nullptr;  ///< the one that Qt makes current with our context
+    std::vector<quint32> pixels_;  ///< as OpenGL gives them: the lowest row first
+    QImage picture_;
+    QTimer stillness_;
     bool ready_ = false;
     bool dirty_ = true;
-    bool software_ = false;
+    bool smooth_ = false;    ///< picture_ has smooth edges
+    bool software_ = false;  ///< pictures are computed without a graphics card
 };
 
 }  // namespace kumite::studio

@@ -97,7 +97,7 @@ TEST_F(WindowTest, MouseTurnsMovesAndZooms) {
     QTest::mouseRelease(&stage, Qt::LeftButton, {}, middle + QPoint(80, 10));
     const QImage turned = pictureOf(stage);
     EXPECT_NE(before, turned);
-    QTest::keyClick(&timeline(), Qt::Key_7, Qt::KeypadModifier);
+    press(Qt::Key_3, Qt::AltModifier);
     EXPECT_NE(turned, pictureOf(stage));
     QTest::keyClick(&timeline(), Qt::Key_F);
     EXPECT_GT(count(pictureOf(stage)).vermilion, 2000);

@@ -1,0 +1,74 @@
+// How long a frame of the 3D view takes at 1280x800: the playhead moves on by a frame, the scene is
+// built and drawn and brought to the screen.
+//     kumite-view-benchmark RECORDING [RECORDING]
+
+#include <QApplication>
+#include <QElapsedTimer>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <vector>
+
+#include "studio/app/main_window.h"
+#include "studio/app/opening.h"
+#include "studio/app/session.h"
+#include "studio/app/theme.h"
+#include "studio/view3d/stage_view.h"
+
+namespace {
+
+using namespace kumite;
+using namespace kumite::studio;
+
+void measure(const char* name, Session& session, StageView& view) {
+    constexpr int kWarmUp = 20;
+    constexpr int kFrames = 300;
+    std::vector<double> milliseconds;
+    std::clock_t begin = 0;
+    for (int i = 0; i < kWarmUp + kFrames; ++i) {
+        if (i == kWarmUp) begin = std::clock();
+        QElapsedTimer clock;
+        clock.start();
+        session.transport().setPlayhead(session.transport().span().begin + i / 60.0);
+        view.repaint();
+        QApplication::processEvents();
+        if (i >= kWarmUp) milliseconds.push_back(1e-6 * double(clock.nsecsElapsed()));
+    }
+    std::sort(milliseconds.begin(), milliseconds.end());
+    // The time of all cores together does not depend on what else the machine does.
+    const double work = 1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC / kFrames;
+    std::printf("%-28s median %6.2f ms   95 in 100 below %6.2f ms   cores together %6.2f ms\n",
+                name, milliseconds[kFrames / 2], milliseconds[kFrames * 95 / 100], work);
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // VTK 9.1 finds its OpenGL functions through GLX only.
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
+    MainWindow::prepareGraphics();
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName("kumite");
+    QApplication::setApplicationName("kumite-view-benchmark");
+    applyTheme(ThemeChoice::Dark);
+    const QStringList files = application.arguments().mid(1);
+    if (files.isEmpty()) {
+        std::fprintf(stderr, "kumite-view-benchmark RECORDING [RECORDING]\n");
+        return 2;
+    }
+    OpenedProject opened = openRecordings(requestFor(files), {});
+    Session session;
+    StageView view(session);
+    view.resize(1280, 800);
+    view.show();
+    session.document().open(History(std::move(opened.project)), std::move(opened.analysis), {},
+                            false);
+    QApplication::processEvents();
+    view.frameAll();
+    measure("whole take in view", session, view);
+    view.frameActiveFighter();
+    measure("fighter fills the picture", session, view);
+    return 0;
+}
