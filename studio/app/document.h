@@ -44,6 +44,11 @@ public:
     bool apply(const ProjectEdit& edit);
     /// The same for edits that need the analysis, which is brought up to date first.
     bool apply(const BoundaryEdit& edit);
+    /// For values that follow a hand: edits one after the other under the same name of a gesture
+    /// ("offset of fighter 1") are one step of the history, made from the project before it.
+    bool applyLive(const QString& gesture, const ProjectEdit& edit);
+    /// The next edit is a step of its own.
+    void endGesture() { gesture_.clear(); }
     void undo();
     void redo();
     void goToStep(std::size_t step);
@@ -71,6 +76,8 @@ private:
     QString path_;
     bool open_ = false;
     bool unsaved_ = false;
+    QString gesture_;               ///< which live edit made the current step; empty: none
+    std::size_t gestureStep_ = 0;   ///< the step that it made
     JobRunner jobs_;
 };
 

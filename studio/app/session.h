@@ -93,16 +93,20 @@ Q_SIGNALS:
 private:
     FighterAddress address(int player) const { return {take_, player}; }
     void opened();
+    void followTake();
+    void stretchSpan();
     void refreshMarks();
     void keepSelection();
 
     Document document_;
     Transport transport_;
     int take_ = 0;
+    std::string takeName_;  ///< by which the shown take is found again after it was moved
     int activePlayer_ = 0;
     std::optional<BoundaryRef> selection_;
     TimeSpan visible_{0, 1};
     std::vector<std::vector<BoundaryMark>> marks_;
+    int knownTakes_ = 0;    ///< how many takes there were when `takeName_` was noted
     bool awaited_ = false;  ///< the shown take has no values yet
 };
 

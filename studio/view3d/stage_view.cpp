@@ -209,7 +209,7 @@ void StageView::mouseMoveEvent(QMouseEvent* event) {
     if (pan) {
         scene_->camera.pan(moved.x(), moved.y(), viewport);
     } else {
-        scene_->camera.orbit(moved.x(), moved.y(), viewport);
+        scene_->camera.orbit(mouseSpeed_ * moved.x(), mouseSpeed_ * moved.y(), viewport);
     }
     applyCamera();
 }
@@ -219,7 +219,7 @@ void StageView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void StageView::wheelEvent(QWheelEvent* event) {
-    const double factor = std::pow(1.0015, event->angleDelta().y());
+    const double factor = std::pow(1.0015, mouseSpeed_ * event->angleDelta().y());
     scene_->camera.zoomAbout(event->position().x(), event->position().y(), factor,
                              {double(width()), double(height())});
     applyCamera();

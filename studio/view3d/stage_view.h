@@ -26,6 +26,8 @@ public:
     void lookFromFront();
     void lookFromSide();
     void lookFromTop();
+    /// How fast a drag turns and the wheel zooms; 1 as usual.
+    void setMouseSpeed(double speed) { mouseSpeed_ = speed; }
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -50,6 +52,7 @@ private:
     QPointF lastPointer_;
     QPointF pressed_;
     bool dragged_ = false;
+    double mouseSpeed_ = 1;
 };
 
 }  // namespace kumite::studio

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QDBusConnection>
+#include <QObject>
+
+#include <optional>
+
+class QDBusVariant;
+
+namespace kumite::studio {
+
+/// Whether the desktop asks for dark windows, and when that changes: the setting "color-scheme" of
+/// the XDG desktop portal. Desktops without the portal say nothing.
+class SystemTheme : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SystemTheme(QDBusConnection bus, QObject* parent = nullptr);
+
+    /// Nothing: the desktop has no wish, or has not answered yet.
+    std::optional<bool> isDark() const { return dark_; }
+
+Q_SIGNALS:
+    void changed();
+
+private Q_SLOTS:
+    void settingChanged(const QString& group, const QString& key, const QDBusVariant& value);
+
+private:
+    void take(const QVariant& value);
+
+    std::optional<bool> dark_;
+};
+
+}  // namespace kumite::studio
