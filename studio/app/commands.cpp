@@ -33,7 +33,7 @@ QString Command::keysText() const {
     QStringList names;
     for (const QKeySequence& key : keys)
         names.append(key.toString(QKeySequence::NativeText));
-    return names.join(QStringLiteral(", "));
+    return names.join(QStringLiteral(" · "));
 }
 
 CommandTable::CommandTable(QWidget* window) : QObject(window), window_(window) {}

@@ -34,7 +34,7 @@ struct Command {
     QString plainText() const;
     /// The menu's title without marks: "File".
     QString plainMenu() const;
-    /// The keys in force as the platform writes them: "Ctrl+Y, Ctrl+Shift+Z".
+    /// The keys in force as the platform writes them: "Ctrl+Y · Ctrl+Shift+Z".
     QString keysText() const;
 };
 

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -43,6 +44,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, CommandTable& com
     layout->setContentsMargins(16, 12, 16, 12);
     layout->setSpacing(12);
     pages_->setDocumentMode(true);
+    pages_->tabBar()->setDrawBase(false);
     pages_->addTab(makeGeneralPage(), tr("General"));
     pages_->addTab(new KeyEditor(commands, pages_), tr("Keys"));
     layout->addWidget(pages_, 1);
@@ -71,6 +73,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     const auto heading = [&](const QString& text) {
         auto* label = new QLabel(text, page);
         label->setProperty("role", "heading");
+        if (form->rowCount() > 0) label->setContentsMargins(0, 10, 0, 0);
         form->addRow(label);
     };
 

@@ -48,12 +48,22 @@ void TakesList::rename(QListWidgetItem* item) {
 }
 
 void TakesList::moveShown(int direction) {
-    move(session_.take(), session_.take() + direction);
+    moveTo(session_.take(), session_.take() + direction);
 }
 
-void TakesList::move(int take, int to) {
-    if (to < 0 || to >= count()) return;
-    session_.document().apply([&](const Project& project) { return moveTake(project, take, to); });
+void TakesList::moveTo(int take, int place) {
+    if (place < 0 || place >= count()) return;
+    session_.document().apply(
+        [&](const Project& project) { return moveTake(project, take, place); });
+}
+
+int TakesList::placeAt(const QPoint& point) const {
+    const QModelIndex under = indexAt(point);
+    int before = count();
+    if (under.isValid()) {
+        before = under.row() + (point.y() > visualRect(under).center().y() ? 1 : 0);
+    }
+    return before > currentRow() ? before - 1 : before;
 }
 
 void TakesList::dropEvent(QDropEvent* event) {
@@ -62,16 +72,10 @@ void TakesList::dropEvent(QDropEvent* event) {
         event->ignore();
         return;
     }
-    const QPoint at = event->position().toPoint();
-    const QModelIndex under = indexAt(at);
-    int before = count();
-    if (under.isValid()) {
-        before = under.row() + (at.y() > visualRect(under).center().y() ? 1 : 0);
-    }
     // The list is filled anew from the project; the view must not move the row itself.
     event->setDropAction(Qt::IgnoreAction);
     event->accept();
-    move(from, before > from ? before - 1 : before);
+    moveTo(from, placeAt(event->position().toPoint()));
 }
 
 }  // namespace kumite::studio

@@ -19,13 +19,15 @@ public:
     bool isRenaming() const { return state() == EditingState; }
     /// Moves the shown take up (-1) or down (+1).
     void moveShown(int direction);
+    void moveTo(int take, int place);
+    /// The place that a take gets which is dropped at a point of the list.
+    int placeAt(const QPoint& point) const;
 
 protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
     void rename(QListWidgetItem* item);
-    void move(int take, int to);
 
     Session& session_;
     bool filling_ = false;

@@ -93,6 +93,11 @@ QLineEdit, QAbstractSpinBox, QComboBox { background: @field; border: 1px solid @
     selection-color: @text; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 1px solid @accent; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 0; border: none; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @faint; border-radius: 3px;
+    background: @field; }
+QCheckBox::indicator:checked { background: @accent; border: 1px solid @accent;
+    image: url(:/icons/check.svg); }
+QCheckBox::indicator:focus { border: 1px solid @accent; }
 QComboBox::drop-down { border: none; width: 18px; }
 QComboBox::down-arrow { image: url(:/icons/chevron_down.svg); width: 12px; height: 12px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }

@@ -176,12 +176,12 @@ void WelcomePicture::paintEvent(QPaintEvent*) {
     haze.setColorAt(1, withAlpha(c.ground, 0));
     painter.fillRect(QRectF(0, 0, kWidth, kFloor + 10), haze);
 
-    constexpr double kLeftX = 318;
-    constexpr double kRightX = 462;
-    drawForce(painter, {kLeftX + 24, kFloor - 2}, 62, mixed(c.fighters[0], Qt::white, 0.45));
-    drawForce(painter, {kRightX + 2, kFloor - 2}, 88, mixed(c.fighters[1], Qt::white, 0.45));
+    constexpr double kLeftX = 312;
+    constexpr double kRightX = 478;
     drawPerson(painter, kKick, kRightX, -1, c.fighters[1], c);
     drawPerson(painter, kPunch, kLeftX, 1, c.fighters[0], c);
+    drawForce(painter, {kLeftX - 14, kFloor + 2}, 56, mixed(c.fighters[0], Qt::white, 0.55));
+    drawForce(painter, {kRightX + 20, kFloor + 2}, 84, mixed(c.fighters[1], Qt::white, 0.55));
 
     // The two rows of the timeline below them.
     const double top = kFloor + 24;
