@@ -9,7 +9,7 @@ namespace kumite::studio {
 namespace {
 
 constexpr int kLetter = 1;
-constexpr int kRun = 5;        ///< follows the letter before
+constexpr int kRun = 9;        ///< follows the letter before
 constexpr int kWordBegin = 8;  ///< begins a word
 constexpr int kNone = -1'000'000;
 

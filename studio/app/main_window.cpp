@@ -260,9 +260,9 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         // Undo in a field of a number takes back what the number did, not its digits.
-        if (watched->parent() != nullptr &&
-            qobject_cast<QAbstractSpinBox*>(watched->parent()) != nullptr &&
-            (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+        const bool inNumber = qobject_cast<QAbstractSpinBox*>(watched) != nullptr ||
+                              qobject_cast<QAbstractSpinBox*>(watched->parent()) != nullptr;
+        if (inNumber && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
             event->ignore();
             return true;
         }

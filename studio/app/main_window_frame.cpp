@@ -52,9 +52,13 @@ void MainWindow::layOutTopBar() {
 }
 
 void MainWindow::setPanelsShown(bool shown) {
+    if (shown == panelsShown_) return;
+    // A splitter forgets the width of what it does not show.
+    if (!shown && isVisible()) columnsState_ = columns_->saveState();
     panelsShown_ = shown;
     documentPanel_->setVisible(shown);
     rightPanel_->setVisible(shown);
+    if (shown && !columnsState_.isEmpty()) columns_->restoreState(columnsState_);
     commands_->refresh();
 }
 
@@ -63,8 +67,9 @@ void MainWindow::restoreLayout() {
     if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
         resize(1280, 800);
     }
+    columnsState_ = settings.value(QStringLiteral("columns")).toByteArray();
     spaceShared_ = rows_->restoreState(settings.value(QStringLiteral("rows")).toByteArray()) &&
-                   columns_->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
+                   columns_->restoreState(columnsState_);
     for (QSplitter* splitter : {rows_, columns_}) {
         connect(splitter, &QSplitter::splitterMoved, this, [this] { spaceShared_ = true; });
     }
@@ -77,7 +82,8 @@ void MainWindow::saveLayout() const {
     settings.setValue(QStringLiteral("geometry"), saveGeometry());
     if (spaceShared_) {
         settings.setValue(QStringLiteral("rows"), rows_->saveState());
-        settings.setValue(QStringLiteral("columns"), columns_->saveState());
+        settings.setValue(QStringLiteral("columns"),
+                          panelsShown_ ? columns_->saveState() : columnsState_);
     }
     settings.setValue(QStringLiteral("workspace"), workspaces_->current());
     settings.setValue(QStringLiteral("panels"), panelsShown_);

@@ -20,7 +20,8 @@ const QString kKey = QStringLiteral("color-scheme");
 SystemTheme::SystemTheme(QDBusConnection bus, QObject* parent) : QObject(parent) {
     if (!bus.isConnected()) return;
     bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
-                SLOT(settingChanged(QString, QString, QDBusVariant)));
+                QMetaObject::normalizedSignature(
+                    SLOT(settingChanged(QString, QString, QDBusVariant))));
     QDBusMessage question =
         QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
     question << kGroup << kKey;

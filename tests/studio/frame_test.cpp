@@ -1,5 +1,6 @@
 // The window's frame: keys that work everywhere, preferences, layout, notes, workspaces, welcome.
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -18,6 +19,7 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/notes.h"
+#include "studio/app/opening.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/welcome_page.h"
 #include "studio/app/workspaces.h"
@@ -140,8 +142,7 @@ TEST_F(WindowTest, PreferencesTakeEffectAtOnceAndAreKept) {
     values.mouseSpeed = 2;
     window_->preferences().set(values);
     EXPECT_EQ(Preferences().values(), values);
-    window_->files().open({file("left.bvh")});
-    window_->files().openBout({"", {{file("left.bvh").toStdString()}}, {}, {}}, false);
+    window_->files().openBout(requestFor({file("left.bvh")}), false);
     settle();
     EXPECT_DOUBLE_EQ(session().transport().speed(), 0.5);
     EXPECT_TRUE(session().transport().isLooping());
@@ -218,8 +219,7 @@ TEST_F(WindowTest, NotesAreCountedAndListed) {
     window_->messages().showFindings("Found in a file", {{Severity::Warning, "Mind this."}});
     EXPECT_EQ(window_->messages().text(), "Mind this.");
     EXPECT_TRUE(texts().contains("Mind this."));
-    openBout();
-    window_->files().openBout({"", {{file("left.bvh").toStdString()}}, {}, {}}, false);
+    window_->files().openBout(requestFor({file("left.bvh")}), false);
     settle();
     EXPECT_FALSE(texts().contains("A quiet remark."));
 }

@@ -1,6 +1,7 @@
 // Finding commands by what is typed, and giving them other keys.
 
 #include <QAction>
+#include <QApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -88,7 +89,7 @@ TEST_F(Bindings, ConflictsRespectScopesAndWorkspaces) {
 TEST_F(Bindings, WorkspacesShareAKeyAndOnlyTheShownOneHearsIt) {
     window_.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&window_));
-    window_.activateWindow();
+    QApplication::setActiveWindow(&window_);
     QTest::keyClick(&window_, Qt::Key_Return);
     EXPECT_EQ(ran_, "label.accept");
     table_.showWorkspace("bout");
@@ -186,6 +187,8 @@ QPushButton* buttonOf(QWidget& parent, const QString& text) {
 TEST_F(WindowTest, KeysAreTakenOverOnPurposeAndReset) {
     resetKeys(window_->commands());
     openBout();
+    const BoundaryRef near = someBoundary(0);
+    session().transport().setPlayhead(session().timeOf({0, near.frame + 10}));
     press(Qt::Key_Comma, Qt::ControlModifier);
     auto* editor = window_->findChild<KeyEditor*>();
     ASSERT_NE(editor, nullptr);

@@ -2,6 +2,7 @@
 
 #include <QAbstractItemView>
 #include <QAction>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -197,6 +198,7 @@ TEST_F(TakesTest, AClickInTheHistoryGoesThere) {
     const QString told = history->model()->index(3, 0).data(Qt::AccessibleTextRole).toString();
     EXPECT_TRUE(told.contains("undone")) << told.toStdString();
     // A new edit drops what was undone.
+    session().transport().setPlayhead(session().timeOf({0, someBoundary(0).frame + 10}));
     session().addBoundaryAtPlayhead();
     settle();
     EXPECT_EQ(history->model()->rowCount(), 4);
@@ -281,6 +283,7 @@ TEST_F(PropertiesTest, RolesAndBodyModelAreChosen) {
     const auto was = fighterNow(0).roles[Role::Head];
     ASSERT_TRUE(was.has_value());
     EXPECT_EQ(head->currentIndex(), *was + 1);
+    QApplication::setActiveWindow(page_);
     head->setFocus();
     QTest::keyClick(head, Qt::Key_Home);
     EXPECT_FALSE(fighterNow(0).roles.has(Role::Head));
@@ -290,6 +293,7 @@ TEST_F(PropertiesTest, RolesAndBodyModelAreChosen) {
 
     const auto before = session().fighter(0)->body->com.position;
     auto* model = field<QComboBox>("Body model");
+    QApplication::setActiveWindow(page_);
     model->setFocus();
     QTest::keyClick(model, Qt::Key_Down);
     settle();
