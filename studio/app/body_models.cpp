@@ -14,10 +14,10 @@ const std::vector<NamedBodyModel>& broughtBodyModels() {
         QFile female(QStringLiteral(":/body_models/de_leva_female.json"));
         if (female.open(QIODevice::ReadOnly)) {
             const QByteArray text = female.readAll();
-            found.push_back(
-                {QCoreApplication::translate("kumite", "Female means (de Leva 1996)"),
-                 parseBodyModel(std::string_view(text.data(), static_cast<std::size_t>(text.size())),
-                                "de_leva_female.json")});
+            found.push_back({QCoreApplication::translate("kumite", "Female means (de Leva 1996)"),
+                             parseBodyModel(std::string_view(text.data(),
+                                                             static_cast<std::size_t>(text.size())),
+                                            "de_leva_female.json")});
         }
         return found;
     }();

@@ -227,8 +227,7 @@ void CommandPalette::step(int rows) {
     if (count == 0) return;
     const int now = list_->currentRow();
     const bool single = std::abs(rows) == 1;
-    const int next =
-        single ? (now + rows + count) % count : std::clamp(now + rows, 0, count - 1);
+    const int next = single ? (now + rows + count) % count : std::clamp(now + rows, 0, count - 1);
     list_->setCurrentRow(next);
 }
 

@@ -78,8 +78,7 @@ void CommandTable::describe(std::size_t index) {
     action->setShortcuts(command.keys);
     QString tip = command.plainText().remove(QStringLiteral("…"));
     if (!command.keys.isEmpty()) {
-        tip += QStringLiteral(" (%1)").arg(
-            command.keys.front().toString(QKeySequence::NativeText));
+        tip += QStringLiteral(" (%1)").arg(command.keys.front().toString(QKeySequence::NativeText));
     }
     action->setToolTip(tip);
 }

@@ -76,8 +76,8 @@ private:
     QString path_;
     bool open_ = false;
     bool unsaved_ = false;
-    QString gesture_;               ///< which live edit made the current step; empty: none
-    std::size_t gestureStep_ = 0;   ///< the step that it made
+    QString gesture_;              ///< which live edit made the current step; empty: none
+    std::size_t gestureStep_ = 0;  ///< the step that it made
     JobRunner jobs_;
 };
 

@@ -144,8 +144,7 @@ void DocumentPanel::addCommands(const CommandTable& commands) {
             found.append(commands.action(QLatin1String(id)));
         return found;
     };
-    offerMenu(takes_,
-              actions({"take.add", "take.rename", "take.up", "take.down", "take.remove"}));
+    offerMenu(takes_, actions({"take.add", "take.rename", "take.up", "take.down", "take.remove"}));
     offerMenu(fighters_, actions({"fighter.properties", "fighter.swap", "file.findRecording"}));
     connect(fighters_, &QListWidget::itemDoubleClicked,
             commands.action(QStringLiteral("fighter.properties")), &QAction::trigger);

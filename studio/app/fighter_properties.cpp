@@ -37,8 +37,8 @@ QLabel* headingOf(const QString& text, QWidget* parent) {
 }
 
 QString roleText(Role role) {
-    QString text = QString::fromUtf8(roleName(role).data(),
-                                     static_cast<qsizetype>(roleName(role).size()));
+    QString text =
+        QString::fromUtf8(roleName(role).data(), static_cast<qsizetype>(roleName(role).size()));
     text.replace(QLatin1Char('_'), QLatin1Char(' '));
     return text;
 }
@@ -140,8 +140,9 @@ QWidget* FighterProperties::makeFields() {
 
     form->addRow(headingOf(tr("Floor"), box));
     floorFound_ = new QCheckBox(tr("found from the feet"), box);
-    floorFound_->setToolTip(tr("The height at which the feet rest; switch it off to set the floor "
-                               "by hand."));
+    floorFound_->setToolTip(
+        tr("The height at which the feet rest; switch it off to set the floor "
+           "by hand."));
     floor_ = addNumber(tr("Height of the floor in metres"),
                        tr("Where the floor is in the space of the recording."));
     floor_->setRange(-100, 100);
@@ -154,8 +155,9 @@ QWidget* FighterProperties::makeFields() {
     form->addRow(headingOf(tr("Body model of the project"), box));
     bodyModel_ = new QComboBox(box);
     bodyModel_->setAccessibleName(tr("Body model"));
-    bodyModel_->setToolTip(tr("How the mass is spread over the body: what the centre of mass and "
-                              "with it the contact force are made of."));
+    bodyModel_->setToolTip(
+        tr("How the mass is spread over the body: what the centre of mass and "
+           "with it the contact force are made of."));
     bodyModel_->installEventFilter(this);
     form->addRow(bodyModel_);
 
@@ -191,8 +193,8 @@ QWidget* FighterProperties::makeJoints() {
     for (const Role role : allRoles()) {
         auto* field = new QComboBox(box);
         field->setAccessibleName(tr("Joint of the role %1").arg(roleText(role)));
-        field->setToolTip(tr("The joint of the recording that is the %1 of the body.")
-                              .arg(roleText(role)));
+        field->setToolTip(
+            tr("The joint of the recording that is the %1 of the body.").arg(roleText(role)));
         field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         field->setMinimumContentsLength(18);
         field->setFocusPolicy(Qt::StrongFocus);
@@ -224,8 +226,9 @@ void FighterProperties::refresh() {
         showNumbers(*shown);
         showJoints(*shown);
     } else {
-        recording_->setText(tr("Start, place, floor and joints of a fighter appear here as soon "
-                               "as there is a take."));
+        recording_->setText(
+            tr("Start, place, floor and joints of a fighter appear here as soon "
+               "as there is a take."));
     }
     showBodyModel();
     filling_ = false;

@@ -35,8 +35,7 @@ void HistoryModel::refresh(const QPalette& palette) {
     const Colours& c = coloursFor(palette);
     undone_ = mixed(c.secondText, c.panel, 0.4);
     mark_ = c.accent;
-    const int steps =
-        document_.isOpen() ? static_cast<int>(document_.history().steps().size()) : 0;
+    const int steps = document_.isOpen() ? static_cast<int>(document_.history().steps().size()) : 0;
     if (steps != rows_) {
         beginResetModel();
         rows_ = steps;
@@ -61,8 +60,9 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const {
             return name;
         case Qt::ToolTipRole:
             if (current) return tr("%1\nThe project as it is now.").arg(name);
-            return step < history.position() ? tr("%1\nClick to go back to this state.").arg(name)
-                                             : tr("%1\nUndone. Click to redo up to here.").arg(name);
+            return step < history.position()
+                       ? tr("%1\nClick to go back to this state.").arg(name)
+                       : tr("%1\nUndone. Click to redo up to here.").arg(name);
         case Qt::AccessibleTextRole:
             return step > history.position() ? tr("%1, undone").arg(name)
                    : current                 ? tr("%1, now").arg(name)

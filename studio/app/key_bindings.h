@@ -21,8 +21,8 @@ void rebind(CommandTable& commands, const QString& id, const QList<QKeySequence>
 /// these keys lose it.
 void resetKeys(CommandTable& commands, const QString& id = {});
 
-/// The commands other than `id` that would hear the key where `id` hears it. Keys of two workspaces,
-/// or of two parts of the window that do not contain each other, do not meet.
+/// The commands other than `id` that would hear the key where `id` hears it. Keys of two
+/// workspaces, or of two parts of the window that do not contain each other, do not meet.
 std::vector<const Command*> conflictsOf(const CommandTable& commands, const QString& id,
                                         const QKeySequence& key);
 

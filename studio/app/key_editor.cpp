@@ -115,10 +115,10 @@ void KeyEditor::fill() {
             QFont own = font();
             own.setBold(true);
             item->setFont(2, own);
-            item->setToolTip(2, tr("Your own; the studio brings: %1")
-                                    .arg(QKeySequence::listToString(
-                                        commands_.defaultKeys(command.id),
-                                        QKeySequence::NativeText)));
+            item->setToolTip(2,
+                             tr("Your own; the studio brings: %1")
+                                 .arg(QKeySequence::listToString(commands_.defaultKeys(command.id),
+                                                                 QKeySequence::NativeText)));
         }
     }
     chooseCommand(before);
@@ -131,8 +131,7 @@ void KeyEditor::showChosen() {
     const QKeySequence key = field_->key();
     field_->setEnabled(command != nullptr);
     remove_->setEnabled(command != nullptr && !command->keys.isEmpty());
-    reset_->setEnabled(command != nullptr &&
-                       command->keys != commands_.defaultKeys(command->id));
+    reset_->setEnabled(command != nullptr && command->keys != commands_.defaultKeys(command->id));
     assign_->setText(tr("Assign"));
     assign_->setEnabled(false);
     if (command == nullptr) {

@@ -21,8 +21,8 @@ QKeySequence keyOf(Qt::KeyboardModifiers modifiers, int key, const QString& text
     }
     if (key == Qt::Key_Backtab) key = Qt::Key_Tab;
     // Shift that merely makes the sign belongs to the keyboard, not to the key: "+" is "+".
-    const bool sign = text.size() == 1 && text[0].isPrint() && !text[0].isLetterOrNumber() &&
-                      !text[0].isSpace();
+    const bool sign =
+        text.size() == 1 && text[0].isPrint() && !text[0].isLetterOrNumber() && !text[0].isSpace();
     if (sign && modifiers == Qt::ShiftModifier) modifiers = Qt::NoModifier;
     return QKeySequence(QKeyCombination(modifiers, static_cast<Qt::Key>(key)));
 }

@@ -67,8 +67,8 @@ QWidget* groupBox(const KeyGroup& group, QWidget* parent) {
 QString htmlOf(const std::vector<KeyGroup>& groups) {
     QString html = QStringLiteral("<h2>%1</h2>").arg(KeysPage::tr("Kumite: keys and mouse"));
     for (const KeyGroup& group : groups) {
-        html += QStringLiteral("<h4>%1</h4><table cellspacing=\"3\">")
-                    .arg(group.title.toHtmlEscaped());
+        html +=
+            QStringLiteral("<h4>%1</h4><table cellspacing=\"3\">").arg(group.title.toHtmlEscaped());
         for (const KeyGroup::Row& row : group.rows) {
             html += QStringLiteral("<tr><td width=\"190\"><b>%1</b></td><td>%2</td></tr>")
                         .arg(row.keys.toHtmlEscaped(), row.text.toHtmlEscaped());

@@ -128,7 +128,7 @@ private:
     QPointer<QDialog> notesPage_;
     ThemeChoice shownTheme_;
     bool panelsShown_ = true;
-    QByteArray columnsState_;  ///< how wide the panels are while they are hidden
+    QByteArray columnsState_;   ///< how wide the panels are while they are hidden
     bool spaceShared_ = false;  ///< the user has laid out the window
 };
 

@@ -334,9 +334,7 @@ void MainWindow::addViewCommands() {
                         {},
                         [this, choice = choice] { setTheme(choice); },
                         {},
-                        [this, choice = choice] {
-                            return preferences_.values().theme == choice;
-                        }});
+                        [this, choice = choice] { return preferences_.values().theme == choice; }});
     }
     const QString help = tr("&Help");
     commands_->add(

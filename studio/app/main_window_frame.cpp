@@ -142,7 +142,8 @@ QString MainWindow::keysHint() const {
             if (!keys.isEmpty()) key = key.mid(key.lastIndexOf(QLatin1Char('+'), -2) + 1);
             keys.append(key);
         }
-        if (!keys.isEmpty()) parts.append(keys.join(QLatin1Char(' ')) + QLatin1Char(' ') + entry.text);
+        if (!keys.isEmpty())
+            parts.append(keys.join(QLatin1Char(' ')) + QLatin1Char(' ') + entry.text);
     }
     return parts.join(QStringLiteral("   "));
 }

@@ -31,7 +31,10 @@ int Notes::count() const {
 }
 
 NotesPage::NotesPage(const Notes& notes, QWidget* parent)
-    : QDialog(parent), notes_(notes), content_(new QWidget(this)), rows_(new QVBoxLayout(content_)) {
+    : QDialog(parent),
+      notes_(notes),
+      content_(new QWidget(this)),
+      rows_(new QVBoxLayout(content_)) {
     setWindowTitle(tr("Notes on the recordings"));
     resize(600, 360);
     auto* layout = new QVBoxLayout(this);
@@ -78,8 +81,7 @@ void NotesPage::fill() {
             auto* text = new QLabel(QString::fromStdString(finding.text), row);
             text->setWordWrap(true);
             text->setTextFormat(Qt::PlainText);
-            text->setTextInteractionFlags(Qt::TextSelectableByMouse |
-                                          Qt::TextSelectableByKeyboard);
+            text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
             box->addWidget(text, 1);
             rows_->addWidget(row);
         }

@@ -131,19 +131,17 @@ QWidget* PreferencesDialog::makeGeneralPage() {
         autosave->setValue(v.autosaveSeconds);
     };
     show();
-    for (QAbstractSpinBox* box : {static_cast<QAbstractSpinBox*>(speed),
-                                  static_cast<QAbstractSpinBox*>(leap),
-                                  static_cast<QAbstractSpinBox*>(mouse),
-                                  static_cast<QAbstractSpinBox*>(autosave)}) {
+    for (QAbstractSpinBox* box :
+         {static_cast<QAbstractSpinBox*>(speed), static_cast<QAbstractSpinBox*>(leap),
+          static_cast<QAbstractSpinBox*>(mouse), static_cast<QAbstractSpinBox*>(autosave)}) {
         box->setLocale(QLocale::c());
         box->setKeyboardTracking(false);
         box->setFixedWidth(120);
     }
     theme->setFixedWidth(160);
     connect(&preferences_, &Preferences::changed, page, show);
-    connect(theme, &QComboBox::currentIndexChanged, page, [this](int index) {
-        preferences_.setTheme(static_cast<ThemeChoice>(index));
-    });
+    connect(theme, &QComboBox::currentIndexChanged, page,
+            [this](int index) { preferences_.setTheme(static_cast<ThemeChoice>(index)); });
     connect(speed, &QDoubleSpinBox::valueChanged, page, [this](double percent) {
         change(preferences_, [=](PreferenceValues& v) { v.playbackSpeed = percent / 100; });
     });

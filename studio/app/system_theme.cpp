@@ -3,7 +3,6 @@
 #include <QDBusMessage>
 #include <QDBusPendingCallWatcher>
 #include <QDBusPendingReply>
-#include <QDBusVariant>
 
 namespace kumite::studio {
 
@@ -20,8 +19,7 @@ const QString kKey = QStringLiteral("color-scheme");
 SystemTheme::SystemTheme(QDBusConnection bus, QObject* parent) : QObject(parent) {
     if (!bus.isConnected()) return;
     bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
-                QMetaObject::normalizedSignature(
-                    SLOT(settingChanged(QString, QString, QDBusVariant))));
+                SLOT(settingChanged(QString, QString, QDBusVariant)));
     QDBusMessage question =
         QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
     question << kGroup << kKey;

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <QDBusConnection>
+#include <QDBusVariant>
 #include <QObject>
 
 #include <optional>
-
-class QDBusVariant;
 
 namespace kumite::studio {
 

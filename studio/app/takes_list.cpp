@@ -24,8 +24,8 @@ void TakesList::refresh() {
     for (const Take& take : session_.document().project().takes) {
         auto* item = new QListWidgetItem(QString::fromStdString(take.name), this);
         item->setFlags(item->flags() | Qt::ItemIsEditable);
-        item->setToolTip(tr("%1\nDouble-click or F2 renames, Alt+↑ ↓ or a drag moves it.")
-                             .arg(item->text()));
+        item->setToolTip(
+            tr("%1\nDouble-click or F2 renames, Alt+↑ ↓ or a drag moves it.").arg(item->text()));
     }
     setCurrentRow(session_.take());
     filling_ = false;

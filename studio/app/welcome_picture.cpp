@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kWidth = 760;
 constexpr int kHeight = 316;
-constexpr double kFloor = 196;         // pixels from the top
-constexpr double kMetre = 98;          // pixels
-constexpr double kCaptions = 84;       // pixels that the rows' captions take
+constexpr double kFloor = 196;    // pixels from the top
+constexpr double kMetre = 98;     // pixels
+constexpr double kCaptions = 84;  // pixels that the rows' captions take
 constexpr double kRowHeight = 48;
 constexpr double kStrip = 14;
 
@@ -83,8 +83,7 @@ void drawForce(QPainter& painter, QPointF foot, double length, const QColor& col
     painter.drawLine(foot, tip + QPointF(0, 6));
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
-    painter.drawPolygon(
-        QPolygonF({tip, tip + QPointF(-4.5, 8), tip + QPointF(4.5, 8)}));
+    painter.drawPolygon(QPolygonF({tip, tip + QPointF(-4.5, 8), tip + QPointF(4.5, 8)}));
 }
 
 /// A row of the drawn timeline: where it is cut, as shares of its length, and how high the curve
@@ -98,9 +97,8 @@ struct Row {
 const Row kFirstRow = {{0, .09, .19, .32, .40, .455, .60, .70, .83, .92, 1},
                        {.5, .9, .6, 1.0, .16, .95, .5, .85, .4, .7},
                        5};
-const Row kSecondRow = {{0, .14, .26, .36, .50, .58, .66, .80, .90, 1},
-                        {.7, .45, .95, .6, .8, .4, 1.0, .55, .8},
-                        -1};
+const Row kSecondRow = {
+    {0, .14, .26, .36, .50, .58, .66, .80, .90, 1}, {.7, .45, .95, .6, .8, .4, 1.0, .55, .8}, -1};
 
 void drawRow(QPainter& painter, const QRectF& area, const Row& row, const QColor& colour,
              const QColor& line, const Colours& c) {
@@ -121,8 +119,8 @@ void drawRow(QPainter& painter, const QRectF& area, const Row& row, const QColor
         }
         painter.setPen(Qt::NoPen);
         painter.setBrush(mixed(c.ground, colour, i % 2 == 0 ? 0.50 : 0.36));
-        painter.drawRect(QRectF(xOf(from) + 0.75, strip.top(), xOf(to) - xOf(from) - 1.5,
-                                strip.height()));
+        painter.drawRect(
+            QRectF(xOf(from) + 0.75, strip.top(), xOf(to) - xOf(from) - 1.5, strip.height()));
     }
     painter.setPen(QPen(withAlpha(c.secondText, 0.45), 1));
     for (std::size_t i = 1; i + 1 < row.cuts.size(); ++i) {
@@ -144,8 +142,9 @@ void drawRow(QPainter& painter, const QRectF& area, const Row& row, const QColor
 
 WelcomePicture::WelcomePicture(QWidget* parent) : QWidget(parent) {
     setFixedSize(sizeHint());
-    setAccessibleName(tr("Two fighters over the curves of their contact force, which is cut into "
-                         "actions at its minima"));
+    setAccessibleName(
+        tr("Two fighters over the curves of their contact force, which is cut into "
+           "actions at its minima"));
 }
 
 QSize WelcomePicture::sizeHint() const {
@@ -188,10 +187,9 @@ void WelcomePicture::paintEvent(QPaintEvent*) {
     painter.fillRect(QRectF(0, top - 8, kWidth, kHeight - top + 8), c.panel);
     const std::array<const Row*, 2> rows = {&kFirstRow, &kSecondRow};
     for (int i = 0; i < 2; ++i) {
-        const QRectF area(kCaptions, top + i * kRowHeight, kWidth - kCaptions - 12,
-                          kRowHeight - 8);
-        drawRow(painter, area, *rows[static_cast<std::size_t>(i)], c.fighters[i],
-                c.fighterText[i], c);
+        const QRectF area(kCaptions, top + i * kRowHeight, kWidth - kCaptions - 12, kRowHeight - 8);
+        drawRow(painter, area, *rows[static_cast<std::size_t>(i)], c.fighters[i], c.fighterText[i],
+                c);
         painter.setPen(c.secondText);
         painter.drawText(QRectF(12, area.top(), kCaptions - 16, kRowHeight - 8 - kStrip),
                          Qt::AlignLeft | Qt::AlignVCenter, tr("force"));

@@ -241,11 +241,11 @@ TEST(Workspaces, RegisterThemselvesWithPanelCommandsAndKeys) {
     WorkspaceBar bar(workspaces, &window);
     QString ran;
     const auto make = [&](const QString& id) {
-        return Workspace{id, id.toUpper(), "segment", "tip", new QWidget, [&table, &ran, id] {
-                             table.add({id + ".act", "Menu", "Act", {QKeySequence("1")}, [&ran, id] {
-                                            ran = id;
-                                        }});
-                         }};
+        return Workspace{
+            id, id.toUpper(), "segment", "tip", new QWidget, [&table, &ran, id] {
+                table.add(
+                    {id + ".act", "Menu", "Act", {QKeySequence("1")}, [&ran, id] { ran = id; }});
+            }};
     };
     workspaces.add(make("segment"));
     workspaces.add(make("label"));

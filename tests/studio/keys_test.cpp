@@ -49,7 +49,14 @@ protected:
     void SetUp() override {
         QSettings().remove("keys");
         const auto add = [this](const char* id, const char* key, QList<QWidget*> scopes = {}) {
-            table_.add({id, "Menu", id, {QKeySequence(key)}, [this, id] { ran_ = id; }, {}, {}, {},
+            table_.add({id,
+                        "Menu",
+                        id,
+                        {QKeySequence(key)},
+                        [this, id] { ran_ = id; },
+                        {},
+                        {},
+                        {},
                         std::move(scopes)});
         };
         add("everywhere", "Ctrl+G");

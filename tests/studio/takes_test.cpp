@@ -122,8 +122,7 @@ TEST_F(TakesTest, ReorderedByADrop) {
     list().setCurrentRow(0);
     // What does not come from the list itself is not taken for a take.
     const QRect last = list().visualItemRect(list().item(2));
-    std::unique_ptr<QMimeData> data(
-        list().model()->mimeData({list().model()->index(0, 0)}));
+    std::unique_ptr<QMimeData> data(list().model()->mimeData({list().model()->index(0, 0)}));
     QDropEvent foreign(QPointF(last.center().x(), last.bottom() - 1), Qt::MoveAction, data.get(),
                        Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(list().viewport(), &foreign);
