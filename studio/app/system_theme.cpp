@@ -1,8 +1,8 @@
 #include "studio/app/system_theme.h"
 
-#include <QDBusMessage>
 #include <QDBusPendingCallWatcher>
 #include <QDBusPendingReply>
+#include <QDBusVariant>
 
 namespace kumite::studio {
 
@@ -18,8 +18,8 @@ const QString kKey = QStringLiteral("color-scheme");
 
 SystemTheme::SystemTheme(QDBusConnection bus, QObject* parent) : QObject(parent) {
     if (!bus.isConnected()) return;
-    bus.connect(kService, kPath, kInterface, QStringLiteral("SettingChanged"), this,
-                SLOT(settingChanged(QString, QString, QDBusVariant)));
+    bus.connect({}, kPath, kInterface, QStringLiteral("SettingChanged"), this,
+                SLOT(settingChanged(QDBusMessage)));
     QDBusMessage question =
         QDBusMessage::createMethodCall(kService, kPath, kInterface, QStringLiteral("Read"));
     question << kGroup << kKey;
@@ -32,15 +32,17 @@ SystemTheme::SystemTheme(QDBusConnection bus, QObject* parent) : QObject(parent)
     });
 }
 
-void SystemTheme::settingChanged(const QString& group, const QString& key,
-                                 const QDBusVariant& value) {
-    if (group == kGroup && key == kKey) take(value.variant());
+void SystemTheme::settingChanged(const QDBusMessage& message) {
+    const QVariantList told = message.arguments();
+    if (told.size() == 3 && told[0] == kGroup && told[1] == kKey) take(told[2]);
 }
 
 void SystemTheme::take(const QVariant& value) {
     QVariant scheme = value;
     // `Read` wraps the value twice.
-    if (scheme.canConvert<QDBusVariant>()) scheme = scheme.value<QDBusVariant>().variant();
+    while (scheme.metaType() == QMetaType::fromType<QDBusVariant>()) {
+        scheme = scheme.value<QDBusVariant>().variant();
+    }
     // 0 no preference, 1 dark, 2 light.
     const uint number = scheme.toUInt();
     const auto dark = number == 1   ? std::optional(true)
