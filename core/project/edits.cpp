@@ -85,6 +85,21 @@ MaybeEdit renameTake(const Project& project, int take, const std::string& name) 
     return edit;
 }
 
+MaybeEdit moveTake(const Project& project, int take, int to) {
+    const auto count = static_cast<int>(project.takes.size());
+    const std::string& name = project.takes.at(static_cast<std::size_t>(take)).name;
+    if (to < 0 || to >= count) throw Error("There is no such place in the list of takes.");
+    if (to == take) return std::nullopt;
+    Edit edit{project, fmt::format("Move take {} to place {}", name, to + 1)};
+    const auto begin = edit.project.takes.begin();
+    if (take < to) {
+        std::rotate(begin + take, begin + take + 1, begin + to + 1);
+    } else {
+        std::rotate(begin + to, begin + take, begin + take + 1);
+    }
+    return edit;
+}
+
 MaybeEdit swapFighters(const Project& project, int take) {
     if (project.takes.at(static_cast<std::size_t>(take)).fighters.size() < 2) {
         throw Error("There is one fighter only: nothing to swap.");

@@ -67,6 +67,8 @@ MaybeEdit setBodyModel(const Project& project, const BodyModel& model);
 MaybeEdit addTake(const Project& project, const Take& take);
 MaybeEdit removeTake(const Project& project, int take);
 MaybeEdit renameTake(const Project& project, int take, const std::string& name);
+/// Puts a take to the place `to` of the list; those between close up.
+MaybeEdit moveTake(const Project& project, int take, int to);
 /// Player 1 becomes player 2 and the reverse.
 MaybeEdit swapFighters(const Project& project, int take);
 MaybeEdit setOffset(const Project& project, FighterAddress fighter, double seconds);

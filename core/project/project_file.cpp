@@ -308,8 +308,12 @@ Project parseProject(std::string_view text, const std::string& name,
 
 BodyModel readBodyModel(const std::filesystem::path& path) {
     const MappedFile file(path);
-    const Json json = parseJson(file.bytes(), path.string());
-    return bodyModelFrom({json, path.string(), ""});
+    return parseBodyModel(file.bytes(), path.string());
+}
+
+BodyModel parseBodyModel(std::string_view text, const std::string& name) {
+    const Json json = parseJson(text, name);
+    return bodyModelFrom({json, name, ""});
 }
 
 void saveProject(const Project& project, const std::filesystem::path& path) {

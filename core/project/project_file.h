@@ -34,6 +34,8 @@ LoadedProject loadProject(const std::filesystem::path& path, const Progress& pro
 /// A body model from a file of its own: the value of "body_model" in a project file. Throws
 /// InputError.
 BodyModel readBodyModel(const std::filesystem::path& path);
+/// The same from text; `name` is used in messages.
+BodyModel parseBodyModel(std::string_view text, const std::string& name);
 
 /// Saves atomically.
 void saveProject(const Project& project, const std::filesystem::path& path);

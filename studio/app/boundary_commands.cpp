@@ -44,8 +44,8 @@ void storeOptions(const TimelineOptions& options) {
 
 }  // namespace
 
-void MainWindow::addBoundaryCommands() {
-    const auto open = [this] { return session_.document().isOpen(); };
+void MainWindow::addSegmentCommands(SegmentPanel& panel) {
+    const auto has = [this] { return hasTake(); };
     const QString segment = tr("&Segment");
     const auto add = [&](const char* id, const QString& text, const QList<QKeySequence>& keys,
                          std::function<void()> run, bool newGroup = false,
@@ -55,11 +55,24 @@ void MainWindow::addBoundaryCommands() {
                         text,
                         keys,
                         std::move(run),
-                        open,
+                        has,
                         {},
                         {},
                         scopes});
     };
+    add("boundary.toggle", tr("&Remove or restore boundary"), {QKeySequence("Del")},
+        [this] { session_.toggleCurrentBoundary(); });
+    add("boundary.add", tr("&Add boundary at the playhead"), {QKeySequence("S")},
+        [this] { session_.addBoundaryAtPlayhead(); });
+    add("boundary.mergeLeft", tr("Join with the action &before"), {QKeySequence("Ctrl+[")},
+        [this] { session_.mergeAction(-1); });
+    add("boundary.mergeRight", tr("Join with the action af&ter"), {QKeySequence("Ctrl+]")},
+        [this] { session_.mergeAction(1); });
+    add(
+        "boundary.previous", tr("&Previous boundary"), {QKeySequence("Ctrl+Left")},
+        [this] { session_.stepBoundary(-1); }, true);
+    add("boundary.next", tr("&Next boundary"), {QKeySequence("Ctrl+Right")},
+        [this] { session_.stepBoundary(1); });
     add("boundary.earlier", tr("Move boundary one frame &earlier"), {QKeySequence("Alt+Left")},
         [this] { session_.nudgeBoundary(-1); });
     add("boundary.later", tr("Move boundary one frame &later"), {QKeySequence("Alt+Right")},
@@ -75,7 +88,7 @@ void MainWindow::addBoundaryCommands() {
     add("action.note", tr("N&ote on the action…"), {QKeySequence("Ctrl+N")},
         [this] { timeline_->editNote(); });
     // Return and Backspace are keys of fields and buttons, too.
-    const QList<QWidget*> views = {stage_, timelineBox_, segmentPanel_->list()};
+    const QList<QWidget*> views = {stage_, timelineBox_, panel.list()};
     add(
         "review.next", tr("Ne&xt suspect"), {QKeySequence("N")},
         [this] { stepSuspect(session_, 1); }, true);
@@ -91,13 +104,13 @@ void MainWindow::addBoundaryCommands() {
     add(
         "review.again", tr("De&cide anew"), {QKeySequence("Shift+Return")},
         [this] { reviewAgain(session_); }, false, views);
-    CompareBox& compare = segmentPanel_->comparison();
+    CompareBox& compare = panel.comparison();
     commands_->add({"segment.compare",
                     QLatin1Char('-') + segment,
                     tr("Compare with settings B"),
                     {QKeySequence("C")},
                     [&compare] { compare.setOn(!compare.isOn()); },
-                    open,
+                    has,
                     [&compare] { return compare.isOn(); }});
     connect(&compare, &CompareBox::toggled, commands_, &CommandTable::refresh);
 }

@@ -5,25 +5,44 @@
 #include <QMenuBar>
 #include <QWidget>
 
+#include <algorithm>
+#include <utility>
+
 #include "studio/app/icons.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
 
+namespace {
+
+QString withoutMarks(QString text) {
+    return text.remove(QLatin1Char('&'));
+}
+
+}  // namespace
+
+QString Command::plainText() const {
+    return withoutMarks(text);
+}
+
+QString Command::plainMenu() const {
+    return withoutMarks(menu.startsWith(QLatin1Char('-')) ? menu.mid(1) : menu);
+}
+
+QString Command::keysText() const {
+    QStringList names;
+    for (const QKeySequence& key : keys)
+        names.append(key.toString(QKeySequence::NativeText));
+    return names.join(QStringLiteral(" · "));
+}
+
 CommandTable::CommandTable(QWidget* window) : QObject(window), window_(window) {}
 
 void CommandTable::add(Command command) {
-    auto* action = new QAction(command.text, this);
+    command.workspace = adding_;
+    auto* action = new QAction(this);
     action->setObjectName(command.id);
-    action->setShortcuts(command.keys);
     if (command.checked) action->setCheckable(true);
-    if (!command.keys.isEmpty()) {
-        QString plain = command.text;
-        plain.remove(QLatin1Char('&'));
-        plain.remove(QStringLiteral("…"));
-        action->setToolTip(QStringLiteral("%1 (%2)").arg(
-            plain, command.keys.front().toString(QKeySequence::NativeText)));
-    }
     if (command.scopes.isEmpty()) {
         window_->addAction(action);
     } else {
@@ -35,25 +54,94 @@ void CommandTable::add(Command command) {
         run();
         refresh();
     });
+    defaultKeys_.push_back(command.keys);
     commands_.push_back(std::move(command));
     actions_.push_back(action);
+    describe(commands_.size() - 1);
+}
+
+void CommandTable::addFor(const QString& workspace, const std::function<void()>& addAll) {
+    const QString before = std::exchange(adding_, workspace);
+    addAll();
+    adding_ = before;
+}
+
+void CommandTable::showWorkspace(const QString& workspace) {
+    workspace_ = workspace;
+    refresh();
+}
+
+void CommandTable::describe(std::size_t index) {
+    const Command& command = commands_[index];
+    QAction* action = actions_[index];
+    action->setText(command.text);
+    action->setShortcuts(command.keys);
+    QString tip = command.plainText().remove(QStringLiteral("…"));
+    if (!command.keys.isEmpty()) {
+        tip += QStringLiteral(" (%1)").arg(command.keys.front().toString(QKeySequence::NativeText));
+    }
+    action->setToolTip(tip);
+}
+
+std::size_t CommandTable::indexOf(const QString& id) const {
+    const auto found = std::find_if(commands_.begin(), commands_.end(),
+                                    [&](const Command& each) { return each.id == id; });
+    return static_cast<std::size_t>(found - commands_.begin());
+}
+
+const Command* CommandTable::find(const QString& id) const {
+    const std::size_t index = indexOf(id);
+    return index < commands_.size() ? &commands_[index] : nullptr;
 }
 
 QAction* CommandTable::action(const QString& id) const {
-    for (std::size_t i = 0; i < commands_.size(); ++i) {
-        if (commands_[i].id == id) return actions_[i];
-    }
-    qFatal("no command %s", qPrintable(id));
+    const std::size_t index = indexOf(id);
+    if (index == commands_.size()) qFatal("no command %s", qPrintable(id));
+    return actions_[index];
 }
 
 void CommandTable::run(const QString& id) const {
     action(id)->trigger();
 }
 
+bool CommandTable::isEnabled(const Command& command) const {
+    const bool offered = command.workspace.isEmpty() || command.workspace == workspace_;
+    return offered && (!command.enabled || command.enabled());
+}
+
+const QList<QKeySequence>& CommandTable::defaultKeys(const QString& id) const {
+    return defaultKeys_.at(indexOf(id));
+}
+
+void CommandTable::setKeys(const QString& id, const QList<QKeySequence>& keys) {
+    const std::size_t index = indexOf(id);
+    if (commands_.at(index).keys == keys) return;
+    commands_[index].keys = keys;
+    describe(index);
+    Q_EMIT renamed();
+}
+
+void CommandTable::setText(const QString& id, const QString& text) {
+    const std::size_t index = indexOf(id);
+    if (commands_.at(index).text == text) return;
+    commands_[index].text = text;
+    describe(index);
+    Q_EMIT renamed();
+}
+
 void CommandTable::refresh() {
     for (std::size_t i = 0; i < commands_.size(); ++i) {
-        if (commands_[i].enabled) actions_[i]->setEnabled(commands_[i].enabled());
-        if (commands_[i].checked) actions_[i]->setChecked(commands_[i].checked());
+        const Command& command = commands_[i];
+        actions_[i]->setVisible(command.workspace.isEmpty() || command.workspace == workspace_);
+        actions_[i]->setEnabled(isEnabled(command));
+        if (command.checked) actions_[i]->setChecked(command.checked());
+    }
+    for (QMenu* menu : menus_) {
+        const auto entries = menu->actions();
+        const bool any = std::any_of(entries.begin(), entries.end(), [](const QAction* entry) {
+            return entry->isVisible() && !entry->isSeparator();
+        });
+        menu->menuAction()->setVisible(any);
     }
 }
 

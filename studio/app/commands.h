@@ -15,19 +15,27 @@ class QWidget;
 
 namespace kumite::studio {
 
-/// One thing that the studio can do. Menus, shortcuts, buttons and the page of keys all come from
-/// these entries.
+/// One thing that the studio can do. Menus, shortcuts, buttons, the palette and the page of keys
+/// all come from these entries.
 struct Command {
     QString id;    ///< "boundary.remove"; also the name under which tests and scripts call it
     QString menu;  ///< "File"; "-" before it starts a new group; empty: in no menu
     QString text;
-    QList<QKeySequence> keys;
+    QList<QKeySequence> keys;  ///< in force; those given to `add` are the defaults
     std::function<void()> run;
     std::function<bool()> enabled = {};
     std::function<bool()> checked = {};  ///< a switch; tells whether it is on
     QString icon = {};
     /// Its keys work only where one of these or a child has the focus; none: in the whole window.
     QList<QWidget*> scopes = {};
+    QString workspace = {};  ///< id of the workspace that it belongs to; empty: to all
+
+    /// The text without the marks that menus need: "Open recordings…".
+    QString plainText() const;
+    /// The menu's title without marks: "File".
+    QString plainMenu() const;
+    /// The keys in force as the platform writes them: "Ctrl+Y · Ctrl+Shift+Z".
+    QString keysText() const;
 };
 
 /// All commands of a window, in the order in which menus show them.
@@ -38,9 +46,24 @@ public:
     explicit CommandTable(QWidget* window);
 
     void add(Command command);
+    /// What `addAll` adds belongs to a workspace: it is offered and its keys work only while that
+    /// workspace is shown.
+    void addFor(const QString& workspace, const std::function<void()>& addAll);
+    void showWorkspace(const QString& workspace);
+
+    /// Null where there is no such command.
+    const Command* find(const QString& id) const;
     QAction* action(const QString& id) const;
     const std::vector<Command>& commands() const { return commands_; }
     void run(const QString& id) const;
+    /// Whether it can be run now.
+    bool isEnabled(const Command& command) const;
+
+    /// Keys as the studio brings them, and those in force from now on.
+    const QList<QKeySequence>& defaultKeys(const QString& id) const;
+    void setKeys(const QString& id, const QList<QKeySequence>& keys);
+    void setText(const QString& id, const QString& text);
+
     /// Brings enabled and checked states up to date.
     void refresh();
     /// Draws icons anew in the colour of the window's text.
@@ -48,11 +71,21 @@ public:
     void fillMenus(QMenuBar* bar);
     QMenu* menu(const QString& title) const;
 
+Q_SIGNALS:
+    /// Keys or texts are others now.
+    void renamed();
+
 private:
+    std::size_t indexOf(const QString& id) const;
+    void describe(std::size_t index);
+
     QWidget* window_;
     std::vector<Command> commands_;
+    std::vector<QList<QKeySequence>> defaultKeys_;
     std::vector<QAction*> actions_;
     std::vector<QMenu*> menus_;
+    QString adding_;     ///< workspace of the commands that are being added
+    QString workspace_;  ///< the one that is shown
 };
 
 }  // namespace kumite::studio

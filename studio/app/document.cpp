@@ -8,22 +8,30 @@ namespace kumite::studio {
 
 namespace {
 
-/// Whether nothing but corrections and notes differs from what was analysed: such an analysis takes
-/// milliseconds.
-bool onlyCorrectionsDiffer(const Analysis& analysis, const Project& project) {
+/// Whether every fighter was analysed with all that its curves are made from, wherever it stood:
+/// then the analysis takes milliseconds. Corrections, notes, offsets, placements and the order of
+/// takes and fighters are such changes.
+bool isQuick(const Analysis& analysis, const Project& project) {
     if (!(analysis.settings == project.segmentation) ||
-        !(analysis.bodyModel == project.bodyModel) ||
-        analysis.takes.size() != project.takes.size()) {
+        !(analysis.bodyModel == project.bodyModel)) {
         return false;
     }
-    for (std::size_t take = 0; take < project.takes.size(); ++take) {
-        const auto& fighters = project.takes[take].fighters;
-        if (analysis.takes[take].size() != fighters.size()) return false;
-        for (std::size_t player = 0; player < fighters.size(); ++player) {
-            Fighter seen = analysis.takes[take][player].input;
-            seen.corrections = fighters[player].corrections;
-            seen.notes = fighters[player].notes;
-            if (!(seen == fighters[player])) return false;
+    const auto isKnown = [&](const Fighter& fighter) {
+        for (const auto& take : analysis.takes) {
+            for (const FighterAnalysis& known : take) {
+                Fighter seen = known.input;
+                seen.corrections = fighter.corrections;
+                seen.notes = fighter.notes;
+                seen.offset = fighter.offset;
+                seen.placement = fighter.placement;
+                if (seen == fighter) return true;
+            }
+        }
+        return false;
+    };
+    for (const Take& take : project.takes) {
+        for (const Fighter& fighter : take.fighters) {
+            if (!isKnown(fighter)) return false;
         }
     }
     return true;
@@ -48,6 +56,7 @@ void Document::open(History history, Analysis analysis, const QString& path, boo
     path_ = path;
     unsaved_ = unsaved;
     open_ = true;
+    endGesture();
     Q_EMIT opened();
     Q_EMIT analysisChanged();
     Q_EMIT changed();
@@ -57,18 +66,16 @@ void Document::markSaved(const QString& path) {
     path_ = path;
     unsaved_ = false;
     history_.markSaved();
+    endGesture();
     Q_EMIT changed();
 }
 
-bool Document::commit(const std::function<MaybeEdit()>& edit, bool amends) {
+bool Document::commit(const std::function<MaybeEdit()>& edit) {
+    endGesture();
     try {
         MaybeEdit result = edit();
         if (!result) return false;
-        if (amends) {
-            history_.amend(std::move(*result));
-        } else {
-            history_.commit(std::move(*result));
-        }
+        history_.commit(std::move(*result));
     } catch (const std::exception& error) {
         Q_EMIT failed(QString::fromUtf8(error.what()));
         return false;
@@ -81,15 +88,35 @@ bool Document::apply(const ProjectEdit& edit) {
     return commit([&] { return edit(project()); });
 }
 
-bool Document::amend(const ProjectEdit& edit) {
-    return commit([&] { return edit(project()); }, true);
-}
-
 bool Document::apply(const BoundaryEdit& edit) {
     return commit([&] {
         bringUpToDate();
         return edit(project(), analysis_);
     });
+}
+
+bool Document::applyLive(const QString& gesture, const ProjectEdit& edit) {
+    const bool goesOn = gesture == gesture_ && history_.position() == gestureStep_ &&
+                        history_.canUndo() && !history_.canRedo();
+    if (!goesOn) {
+        const bool applied = apply(edit);
+        if (applied) {
+            gesture_ = gesture;
+            gestureStep_ = history_.position();
+        }
+        return applied;
+    }
+    try {
+        const Project& before = history_.steps()[history_.position() - 1].project;
+        const MaybeEdit result = edit(before);
+        history_.amend(result ? *result : Edit{before, {}});
+    } catch (const std::exception& error) {
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+        return false;
+    }
+    if (history_.position() != gestureStep_) endGesture();
+    refresh();
+    return true;
 }
 
 void Document::undo() {
@@ -125,7 +152,7 @@ void Document::analyseNow() {
 }
 
 void Document::refresh() {
-    if (onlyCorrectionsDiffer(analysis_, project())) {
+    if (isQuick(analysis_, project())) {
         analyseNow();
     } else {
         jobs_.start(

@@ -42,10 +42,14 @@ public:
     /// Commits what the function returns; false where it changed nothing or failed (then
     /// `failed` says why).
     bool apply(const ProjectEdit& edit);
-    /// The same, but replaces the last step, as while a slider moves; see History::amend.
-    bool amend(const ProjectEdit& edit);
     /// The same for edits that need the analysis, which is brought up to date first.
     bool apply(const BoundaryEdit& edit);
+    /// For values that follow a hand: edits one after the other under the same name of a gesture
+    /// ("offset of fighter 1") are one step of the history, made from the project before it; led
+    /// back to where it began, there is no step. See History::amend.
+    bool applyLive(const QString& gesture, const ProjectEdit& edit);
+    /// The next edit is a step of its own.
+    void endGesture() { gesture_.clear(); }
     void undo();
     void redo();
     void goToStep(std::size_t step);
@@ -64,7 +68,7 @@ Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
-    bool commit(const std::function<MaybeEdit()>& edit, bool amends = false);
+    bool commit(const std::function<MaybeEdit()>& edit);
     void refresh();
     void analyseNow();
 
@@ -73,6 +77,8 @@ private:
     QString path_;
     bool open_ = false;
     bool unsaved_ = false;
+    QString gesture_;              ///< which live edit made the current step; empty: none
+    std::size_t gestureStep_ = 0;  ///< the step that it made
     JobRunner jobs_;
 };
 

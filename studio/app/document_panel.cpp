@@ -1,17 +1,25 @@
 #include "studio/app/document_panel.h"
 
+#include <QAction>
 #include <QEvent>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
+#include <QListView>
 #include <QListWidget>
+#include <QMenu>
 #include <QPainter>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
+#include "studio/app/commands.h"
+#include "studio/app/history_model.h"
 #include "studio/app/opening.h"
 #include "studio/app/session.h"
+#include "studio/app/takes_list.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 
@@ -39,51 +47,107 @@ void fitHeight(QListWidget* list) {
     list->setFixedHeight(std::min(height, 160));
 }
 
+void offerMenu(QListWidget* list, const QList<QAction*>& actions) {
+    list->setContextMenuPolicy(Qt::CustomContextMenu);
+    QObject::connect(list, &QListWidget::customContextMenuRequested, list,
+                     [list, actions](const QPoint& at) {
+                         QMenu menu(list);
+                         menu.addActions(actions);
+                         menu.exec(list->viewport()->mapToGlobal(at));
+                     });
+}
+
 }  // namespace
 
 DocumentPanel::DocumentPanel(Session& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      takes_(new QListWidget(this)),
+      takes_(new TakesList(session, this)),
+      noTakes_(new QLabel(tr("Add recordings to begin a take."), this)),
       fighters_(new QListWidget(this)),
-      history_(new QListWidget(this)) {
+      history_(new QListView(this)),
+      historyModel_(new HistoryModel(session.document(), this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 4, 4);
     layout->setSpacing(4);
-    const auto section = [&](const QString& title, QListWidget* list) {
-        auto* heading = new QLabel(title, this);
-        heading->setProperty("role", "heading");
-        heading->setContentsMargins(4, 0, 0, 0);
-        layout->addWidget(heading);
-        layout->addWidget(list);
-        list->setAccessibleName(title);
+    takesHeading_ = addSection(tr("Takes"), takes_);
+    noTakes_->setProperty("role", "second");
+    noTakes_->setWordWrap(true);
+    noTakes_->setContentsMargins(4, 0, 0, 0);
+    layout->addWidget(noTakes_);
+    layout->addSpacing(8);
+    fightersHeading_ = addSection(tr("Fighters"), fighters_);
+    layout->addSpacing(8);
+    addSection(tr("History"), history_);
+    for (QListWidget* list : {static_cast<QListWidget*>(takes_), fighters_}) {
         list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         list->setTextElideMode(Qt::ElideMiddle);
         list->setIconSize({10, 10});
-    };
-    section(tr("Takes"), takes_);
-    layout->addSpacing(8);
-    section(tr("Fighters"), fighters_);
-    layout->addSpacing(8);
-    section(tr("History"), history_);
+    }
+    history_->setModel(historyModel_);
+    history_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    history_->setIconSize({10, 10});
+    history_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    history_->setLayoutMode(QListView::Batched);
+    history_->setResizeMode(QListView::Adjust);
     // What an edit did is told in full: there is room below, not beside.
     history_->setWordWrap(true);
     layout->setStretchFactor(history_, 1);
     setMinimumWidth(112);
 
-    connect(takes_, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (!filling_ && row >= 0) session_.setTake(row);
-    });
     connect(fighters_, &QListWidget::currentRowChanged, this, [this](int row) {
         if (!filling_ && row >= 0) session_.setActivePlayer(row);
     });
-    connect(history_, &QListWidget::currentRowChanged, this, [this](int row) {
-        if (!filling_ && row >= 0) session_.document().goToStep(static_cast<std::size_t>(row));
-    });
+    connect(history_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex& now) {
+                if (filling_ || !now.isValid()) return;
+                session_.document().goToStep(static_cast<std::size_t>(now.row()));
+            });
     connect(&session_.document(), &Document::changed, this, &DocumentPanel::refresh,
             Qt::QueuedConnection);
     connect(&session_, &Session::takeChanged, this, &DocumentPanel::refresh);
     connect(&session_, &Session::activePlayerChanged, this, &DocumentPanel::showFighters);
+    refresh();
+}
+
+QHBoxLayout* DocumentPanel::addSection(const QString& title, QWidget* list) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(0);
+    auto* heading = new QLabel(title, this);
+    heading->setProperty("role", "heading");
+    heading->setContentsMargins(4, 0, 0, 0);
+    row->addWidget(heading);
+    row->addStretch(1);
+    auto* layout = static_cast<QVBoxLayout*>(this->layout());
+    layout->addLayout(row);
+    layout->addWidget(list);
+    list->setAccessibleName(title);
+    return row;
+}
+
+void DocumentPanel::addCommands(const CommandTable& commands) {
+    const auto addButton = [&](QHBoxLayout* row, const char* command) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(commands.action(QLatin1String(command)));
+        button->setAccessibleName(commands.find(QLatin1String(command))->plainText());
+        button->setIconSize({14, 14});
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setProperty("role", "small");
+        row->addWidget(button);
+    };
+    addButton(takesHeading_, "take.add");
+    addButton(fightersHeading_, "fighter.swap");
+    addButton(fightersHeading_, "fighter.properties");
+    const auto actions = [&](std::initializer_list<const char*> ids) {
+        QList<QAction*> found;
+        for (const char* id : ids)
+            found.append(commands.action(QLatin1String(id)));
+        return found;
+    };
+    offerMenu(takes_, actions({"take.add", "take.rename", "take.up", "take.down", "take.remove"}));
+    offerMenu(fighters_, actions({"fighter.properties", "fighter.swap", "file.findRecording"}));
+    connect(fighters_, &QListWidget::itemDoubleClicked,
+            commands.action(QStringLiteral("fighter.properties")), &QAction::trigger);
 }
 
 void DocumentPanel::changeEvent(QEvent* event) {
@@ -92,21 +156,15 @@ void DocumentPanel::changeEvent(QEvent* event) {
 }
 
 void DocumentPanel::refresh() {
-    showTakes();
+    // Not under the hands of somebody who writes a name.
+    if (!takes_->isRenaming()) {
+        takes_->refresh();
+        fitHeight(takes_);
+    }
+    noTakes_->setVisible(takes_->count() == 0);
+    takes_->setVisible(takes_->count() > 0);
     showFighters();
     showHistory();
-}
-
-void DocumentPanel::showTakes() {
-    filling_ = true;
-    takes_->clear();
-    for (const Take& take : session_.document().project().takes) {
-        auto* item = new QListWidgetItem(QString::fromStdString(take.name), takes_);
-        item->setToolTip(item->text());
-    }
-    takes_->setCurrentRow(session_.take());
-    fitHeight(takes_);
-    filling_ = false;
 }
 
 void DocumentPanel::showFighters() {
@@ -126,7 +184,7 @@ void DocumentPanel::showFighters() {
         QIcon icon(colour);
         icon.addPixmap(colour, QIcon::Selected);
         item->setIcon(icon);
-        item->setToolTip(tr("%1: %2\n%3 Hz, %4 frames")
+        item->setToolTip(tr("%1: %2\n%3 Hz, %4 frames\nDouble-click: start, place, floor, joints")
                              .arg(fighterText(player), path)
                              .arg(fighter.rate)
                              .arg(framesOf(fighter).size()));
@@ -138,19 +196,10 @@ void DocumentPanel::showFighters() {
 
 void DocumentPanel::showHistory() {
     filling_ = true;
-    history_->clear();
-    const History& history = session_.document().history();
-    if (session_.document().isOpen()) {
-        const Colours& c = coloursFor(palette());
-        for (std::size_t step = 0; step < history.steps().size(); ++step) {
-            auto* item =
-                new QListWidgetItem(QString::fromStdString(history.steps()[step].name), history_);
-            item->setToolTip(item->text());
-            if (step > history.position()) item->setForeground(mixed(c.secondText, c.panel, 0.4));
-        }
-        history_->setCurrentRow(static_cast<int>(history.position()));
-        history_->scrollToItem(history_->currentItem());
-    }
+    historyModel_->refresh(palette());
+    const auto position = static_cast<int>(session_.document().history().position());
+    history_->setCurrentIndex(historyModel_->index(position));
+    history_->scrollTo(history_->currentIndex());
     filling_ = false;
 }
 

@@ -2,11 +2,17 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
+class QLabel;
+class QListView;
 class QListWidget;
 
 namespace kumite::studio {
 
+class CommandTable;
+class HistoryModel;
 class Session;
+class TakesList;
 
 /// The left panel: takes, the fighters of the shown one, and the history of edits. A click goes
 /// there.
@@ -16,19 +22,27 @@ class DocumentPanel : public QWidget {
 public:
     explicit DocumentPanel(Session& session, QWidget* parent = nullptr);
 
+    TakesList& takes() { return *takes_; }
+    /// Buttons beside the headings and menus on the lists, once the commands are there.
+    void addCommands(const CommandTable& commands);
+
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    QHBoxLayout* addSection(const QString& title, QWidget* list);
     void refresh();
-    void showTakes();
     void showFighters();
     void showHistory();
 
     Session& session_;
-    QListWidget* takes_;
+    TakesList* takes_;
+    QLabel* noTakes_;
     QListWidget* fighters_;
-    QListWidget* history_;
+    QListView* history_;
+    HistoryModel* historyModel_;
+    QHBoxLayout* takesHeading_ = nullptr;
+    QHBoxLayout* fightersHeading_ = nullptr;
     bool filling_ = false;
 };
 

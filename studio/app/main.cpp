@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/text.h"
+#include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/icons.h"
 #include "studio/app/main_window.h"
@@ -29,7 +30,7 @@ struct Wishes {
     std::optional<ThemeChoice> theme;
     std::optional<double> time;
     std::optional<double> rate;
-    bool keys = false;
+    QString command;
 };
 
 [[noreturn]] void refuse(const QString& sentence) {
@@ -57,14 +58,14 @@ Wishes readCommandLine(const QApplication& application) {
          {"theme", "dark or light; otherwise as the system.", "THEME"},
          {"time", "Moment that is shown first, seconds.", "S"},
          {"rate", "Frame rate of the recordings, where their headers are wrong.", "HZ"},
-         {"help-page", "Open the page of keys."}});
+         {"run", "Run a command once everything is open, such as help.keys.", "COMMAND"}});
     parser.process(application);
     Wishes wishes;
     wishes.files = parser.positionalArguments();
     wishes.picture = parser.value("picture");
     wishes.time = numberOption(parser, "time");
     wishes.rate = numberOption(parser, "rate");
-    wishes.keys = parser.isSet("help-page");
+    wishes.command = parser.value("run");
     const QString theme = parser.value("theme");
     if (theme == "dark")
         wishes.theme = ThemeChoice::Dark;
@@ -136,20 +137,30 @@ int main(int argc, char** argv) {
         QApplication::setApplicationName("kumite-studio-picture");
         QSettings().clear();
     }
-    const auto lastTheme = static_cast<ThemeChoice>(QSettings().value("theme", 0).toInt());
-    applyTheme(wishes.theme.value_or(lastTheme));
+    applyTheme(wishes.theme.value_or(Preferences().values().theme));
     MainWindow window;
-    window.setTheme(wishes.theme.value_or(lastTheme));
+    if (wishes.theme) window.setTheme(*wishes.theme);
+    if (!wishes.command.isEmpty() && window.commands().find(wishes.command) == nullptr) {
+        refuse(QStringLiteral("there is no command %1.").arg(wishes.command));
+    }
     if (!wishes.size.isEmpty()) window.resize(wishes.size);
     window.show();
-    if (wishes.keys) window.showKeys();
     openFiles(window, wishes);
+    if (!wishes.command.isEmpty()) {
+        waitWhileBusy(window);
+        window.commands().run(wishes.command);
+    }
     if (picture) return takePicture(window, wishes.picture, wishes.time) ? 0 : 1;
     if (wishes.time) {
         waitWhileBusy(window);
         window.session().transport().setPlayhead(*wishes.time);
     }
     Recovery recovery(window.session());
+    const auto setInterval = [&] {
+        recovery.setInterval(window.preferences().values().autosaveSeconds);
+    };
+    setInterval();
+    QObject::connect(&window.preferences(), &Preferences::changed, &recovery, setInterval);
     if (wishes.files.isEmpty()) offerRecovery(window, recovery);
     return QApplication::exec();
 }

@@ -1,35 +1,38 @@
 #include "studio/app/main_window.h"
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QSurfaceFormat>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
+#include "studio/app/command_palette.h"
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/icons.h"
-#include "studio/app/keys_page.h"
+#include "studio/app/key_bindings.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/recent_files.h"
+#include "studio/app/system_theme.h"
 #include "studio/app/welcome_page.h"
+#include "studio/app/workspaces.h"
 #include "studio/jobs/job_bar.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
 #include "studio/view3d/stage_view.h"
-#include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
 
@@ -56,7 +59,10 @@ void MainWindow::prepareGraphics() {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
 }
 
-MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
+MainWindow::MainWindow(QWidget* parent)
+    : QMainWindow(parent),
+      systemTheme_(new SystemTheme(QDBusConnection::sessionBus(), this)),
+      shownTheme_(preferences_.values().theme) {
     setWindowIcon(applicationIcon());
     setAcceptDrops(true);
     setMinimumSize(900, 560);
@@ -64,30 +70,28 @@ MainWindow::MainWindow(QWidget* parent) : QMainWindow(parent) {
     layOut();
     addFileCommands();
     addEditCommands();
-    addBoundaryCommands();
+    addTakeCommands();
+    addWorkspaces();
     addPlaybackCommands();
     addTimelineCommands();
     addViewCommands();
+    loadKeys(*commands_);
     refreshIcons();
     commands_->fillMenus(menuBar());
+    layOutTopBar();
+    documentPanel_->addCommands(*commands_);
     auto* box = static_cast<QVBoxLayout*>(timelineBox_->layout());
     box->insertWidget(0, new TransportBar(session_, *commands_, timelineBox_));
     welcome_ = new WelcomePage(*commands_, pages_);
     pages_->insertWidget(0, welcome_);
     pages_->setCurrentWidget(welcome_);
     listen();
+    applyPreferences();
+    showFindingsCount();
     commands_->refresh();
     refreshTitle();
     showStatus({});
-    const QSettings settings;
-    if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
-        resize(1280, 800);
-    }
-    spaceShared_ = rows_->restoreState(settings.value(QStringLiteral("rows")).toByteArray()) &&
-                   columns_->restoreState(settings.value(QStringLiteral("columns")).toByteArray());
-    for (QSplitter* splitter : {rows_, columns_}) {
-        connect(splitter, &QSplitter::splitterMoved, this, [this] { spaceShared_ = true; });
-    }
+    restoreLayout();
     qApp->installEventFilter(this);
 }
 
@@ -103,10 +107,11 @@ void MainWindow::layOut() {
     columns_ = new QSplitter(Qt::Horizontal, rows_);
     documentPanel_ = new DocumentPanel(session_, columns_);
     stage_ = new StageView(session_, columns_);
-    segmentPanel_ = new SegmentPanel(session_, columns_);
+    rightPanel_ = new QStackedWidget(columns_);
+    workspaces_ = new Workspaces(*commands_, rightPanel_, this);
     columns_->addWidget(documentPanel_);
     columns_->addWidget(stage_);
-    columns_->addWidget(segmentPanel_);
+    columns_->addWidget(rightPanel_);
     timelineBox_ = new QWidget(rows_);
     auto* box = new QVBoxLayout(timelineBox_);
     box->setContentsMargins(0, 0, 0, 0);
@@ -127,6 +132,7 @@ void MainWindow::layOut() {
     pages_->addWidget(rows_);
     setCentralWidget(pages_);
     strip_ = new MessageStrip(pages_);
+    palette_ = new CommandPalette(*commands_, pages_);
     files_ = new FileActions(session_, *strip_, this);
 
     status_ = new QLabel(this);
@@ -134,6 +140,9 @@ void MainWindow::layOut() {
     status_->setMinimumWidth(1);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
+    findingsButton_ = new QToolButton(this);
+    findingsButton_->setProperty("role", "small");
+    statusBar()->addPermanentWidget(findingsButton_);
     auto* jobs = new JobBar(this);
     jobs->watch(files_->jobs());
     jobs->watch(session_.document().jobs());
@@ -148,6 +157,8 @@ void MainWindow::listen() {
         commands_->refresh();
     });
     connect(&document, &Document::opened, this, [this] {
+        findings_.clear();
+        applyPlaybackPreferences();
         pages_->setCurrentWidget(rows_);
         timeline_->setFocus();
         showStatus({});
@@ -167,6 +178,13 @@ void MainWindow::listen() {
         welcome_->refresh();
     });
     connect(welcome_, &WelcomePage::chosen, files_, &FileActions::open);
+    connect(strip_, &MessageStrip::found, &findings_, &FindingsLog::add);
+    connect(&findings_, &FindingsLog::changed, this, &MainWindow::showFindingsCount);
+    connect(findingsButton_, &QToolButton::clicked, this, &MainWindow::showFindings);
+    connect(systemTheme_, &SystemTheme::changed, this, &MainWindow::followSystemTheme);
+    connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
+    connect(workspaces_, &Workspaces::changed, this, [this] { showStatus({}); });
+    connect(commands_, &CommandTable::renamed, this, [this] { showStatus({}); });
 }
 
 bool MainWindow::isBusy() const {
@@ -205,26 +223,7 @@ void MainWindow::refreshIcons() {
 }
 
 void MainWindow::showStatus(const QString& text) {
-    QString line = text;
-    if (line.isEmpty() && session_.document().isOpen()) {
-        line =
-            tr("Space play   N next suspect   Return keep   Backspace remove   ← → frame   "
-               "Ctrl+← → boundary   S add   F1 all keys");
-    }
-    status_->setText(line);
-}
-
-void MainWindow::showKeys() {
-    auto* page = new KeysPage(*commands_, this);
-    page->setAttribute(Qt::WA_DeleteOnClose);
-    page->show();
-}
-
-void MainWindow::setTheme(ThemeChoice choice) {
-    theme_ = choice;
-    applyTheme(choice);
-    QSettings().setValue(QStringLiteral("theme"), static_cast<int>(choice));
-    commands_->refresh();
+    status_->setText(text.isEmpty() && session_.document().isOpen() ? keysHint() : text);
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -232,23 +231,12 @@ void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && commands_ != nullptr) refreshIcons();
 }
 
-void MainWindow::togglePanels() {
-    const bool hide = documentPanel_->isVisible() || segmentPanel_->isVisible();
-    documentPanel_->setVisible(!hide);
-    segmentPanel_->setVisible(!hide);
-}
-
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!files_->mayLeave()) {
         event->ignore();
         return;
     }
-    QSettings settings;
-    settings.setValue(QStringLiteral("geometry"), saveGeometry());
-    if (spaceShared_) {
-        settings.setValue(QStringLiteral("rows"), rows_->saveState());
-        settings.setValue(QStringLiteral("columns"), columns_->saveState());
-    }
+    saveLayout();
     event->accept();
 }
 
@@ -267,9 +255,16 @@ void MainWindow::dropEvent(QDropEvent* event) {
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     // A button that has the focus is pressed by Space; elsewhere Space plays.
     if (event->type() == QEvent::ShortcutOverride) {
-        const auto* key = static_cast<QKeyEvent*>(event);
+        auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_Space && qobject_cast<QAbstractButton*>(watched) != nullptr) {
             event->accept();
+            return true;
+        }
+        // Undo in a field of a number takes back what the number did, not its digits.
+        const bool inNumber = qobject_cast<QAbstractSpinBox*>(watched) != nullptr ||
+                              qobject_cast<QAbstractSpinBox*>(watched->parent()) != nullptr;
+        if (inNumber && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+            event->ignore();
             return true;
         }
     }

@@ -3,27 +3,36 @@
 #include <QMainWindow>
 #include <QStringList>
 
+#include <QPointer>
+
+#include "studio/app/findings_page.h"
+#include "studio/app/preferences.h"
+#include "studio/app/preferences_dialog.h"
 #include "studio/app/session.h"
-#include "studio/app/theme.h"
 
 class QLabel;
 class QSplitter;
 class QStackedWidget;
+class QToolButton;
 
 namespace kumite::studio {
 
+class CommandPalette;
 class CommandTable;
 class DocumentPanel;
 class FileActions;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
+class SystemTheme;
 class TimelineView;
 class TransportBar;
 class WelcomePage;
+class Workspaces;
 
 /// The studio's window: 3D view over the timeline, panels on both sides, a line that says what is
-/// under the pointer.
+/// under the pointer. main_window.cpp puts the parts together; what the commands do stands in
+/// main_window_*.cpp.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -38,6 +47,11 @@ public:
     CommandTable& commands() { return *commands_; }
     FileActions& files() { return *files_; }
     MessageStrip& messages() { return *strip_; }
+    CommandPalette& commandPalette() { return *palette_; }
+    Preferences& preferences() { return preferences_; }
+    Workspaces& workspaces() { return *workspaces_; }
+    DocumentPanel& documentPanel() { return *documentPanel_; }
+    FindingsLog& findings() { return findings_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
 
@@ -45,7 +59,13 @@ public:
     bool isBusy() const;
     /// Shows the page of keys; it stays open beside the window.
     void showKeys();
+    void showPreferences(PreferencesDialog::Page page);
+    void showFighterProperties();
+    void showFindings();
     void setTheme(ThemeChoice choice);
+    /// The panels at both sides; the 3D view takes their place.
+    bool panelsShown() const { return panelsShown_; }
+    void setPanelsShown(bool shown);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -58,35 +78,59 @@ protected:
 private:
     void addFileCommands();
     void addEditCommands();
-    void addBoundaryCommands();
+    void addTakeCommands();
+    void addWorkspaces();
+    void addSegmentCommands(SegmentPanel& panel);
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
     void layOut();
+    void layOutTopBar();
     void listen();
     void shareSpace();
+    void restoreLayout();
+    void saveLayout() const;
+    void applyPreferences();
+    void applyPlaybackPreferences();
+    void followSystemTheme();
     void refreshTitle();
     void refreshIcons();
     void showStatus(const QString& text);
+    QString keysHint() const;
+    void showFindingsCount();
     void changeSpeed(int direction);
-    void togglePanels();
+    void stepTake(int direction);
+    void removeShownTake();
     void fillRecentMenu();
+    bool hasTake() const { return session_.playerCount() > 0; }
 
     Session session_;
+    Preferences preferences_;
+    FindingsLog findings_;
+    SystemTheme* systemTheme_;
     CommandTable* commands_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     WelcomePage* welcome_ = nullptr;
     QSplitter* rows_ = nullptr;
     QSplitter* columns_ = nullptr;
     DocumentPanel* documentPanel_ = nullptr;
-    SegmentPanel* segmentPanel_ = nullptr;
+    QStackedWidget* rightPanel_ = nullptr;
+    Workspaces* workspaces_ = nullptr;
+    CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;
     TimelineView* timeline_ = nullptr;
     MessageStrip* strip_ = nullptr;
     FileActions* files_ = nullptr;
     QLabel* status_ = nullptr;
-    ThemeChoice theme_ = ThemeChoice::System;
+    QToolButton* findingsButton_ = nullptr;
+    QPointer<QDialog> keysPage_;
+    QPointer<PreferencesDialog> preferencesDialog_;
+    QPointer<QDialog> fighterProperties_;
+    QPointer<QDialog> findingsPage_;
+    ThemeChoice shownTheme_;
+    bool panelsShown_ = true;
+    QByteArray columnsState_;   ///< how wide the panels are while they are hidden
     bool spaceShared_ = false;  ///< the user has laid out the window
 };
 

@@ -9,15 +9,14 @@
 #include <array>
 #include <cmath>
 
+#include "studio/app/command_palette.h"
 #include "studio/app/commands.h"
-#include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/main_window.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/view_commands.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
-#include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
 
@@ -63,7 +62,7 @@ void MainWindow::addFileCommands() {
                     tr("&Export actions…"),
                     {QKeySequence("Ctrl+E")},
                     [this] { files_->askForExport(); },
-                    open});
+                    [this] { return hasTake(); }});
     const auto missing = [this] {
         for (int player = 0; player < session_.playerCount(); ++player) {
             if (session_.fighter(player) == nullptr) return session_.document().isCurrent();
@@ -90,7 +89,6 @@ void MainWindow::fillRecentMenu() {
 }
 
 void MainWindow::addEditCommands() {
-    const auto open = [this] { return session_.document().isOpen(); };
     const QString edit = tr("&Edit");
     commands_->add({"edit.undo",
                     edit,
@@ -104,57 +102,18 @@ void MainWindow::addEditCommands() {
                     {QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")},
                     [this] { session_.document().redo(); },
                     [this] { return session_.document().history().canRedo(); }});
-    const QString segment = tr("&Segment");
-    commands_->add({"boundary.toggle",
-                    segment,
-                    tr("&Remove or restore boundary"),
-                    {QKeySequence("Del")},
-                    [this] { session_.toggleCurrentBoundary(); },
-                    open});
-    commands_->add({"boundary.add",
-                    segment,
-                    tr("&Add boundary at the playhead"),
-                    {QKeySequence("S")},
-                    [this] { session_.addBoundaryAtPlayhead(); },
-                    open});
-    commands_->add({"boundary.mergeLeft",
-                    segment,
-                    tr("Join with the action &before"),
-                    {QKeySequence("Ctrl+[")},
-                    [this] { session_.mergeAction(-1); },
-                    open});
-    commands_->add({"boundary.mergeRight",
-                    segment,
-                    tr("Join with the action af&ter"),
-                    {QKeySequence("Ctrl+]")},
-                    [this] { session_.mergeAction(1); },
-                    open});
-    commands_->add({"boundary.previous",
-                    grouped(segment),
-                    tr("&Previous boundary"),
-                    {QKeySequence("Ctrl+Left")},
-                    [this] { session_.stepBoundary(-1); },
-                    open});
-    commands_->add({"boundary.next",
-                    segment,
-                    tr("&Next boundary"),
-                    {QKeySequence("Ctrl+Right")},
-                    [this] { session_.stepBoundary(1); },
-                    open});
-    const auto two = [this] { return session_.playerCount() > 1; };
-    commands_->add({"fighter.other",
-                    grouped(segment),
-                    tr("&Other fighter active"),
-                    {QKeySequence("Tab")},
-                    [this] { session_.setActivePlayer(1 - session_.activePlayer()); },
-                    two,
-                    {},
-                    {},
-                    {stage_, timelineBox_}});
+    commands_->add({"app.palette",
+                    grouped(edit),
+                    tr("Run a &command by name…"),
+                    {QKeySequence("Ctrl+K")},
+                    [this] { palette_->open(); }});
+    commands_->add({"app.preferences", edit, tr("&Preferences…"), {QKeySequence("Ctrl+,")}, [this] {
+                        showPreferences(PreferencesDialog::GeneralPage);
+                    }});
 }
 
 void MainWindow::addPlaybackCommands() {
-    const auto open = [this] { return session_.document().isOpen(); };
+    const auto open = [this] { return hasTake(); };
     Transport* transport = &session_.transport();
     const QString menu = tr("&Playback");
     commands_->add({"transport.play",
@@ -201,8 +160,19 @@ void MainWindow::addPlaybackCommands() {
          "step_back", true);
     step("transport.on", tr("One frame on"), {QKeySequence("Right"), QKeySequence(".")}, 1,
          "step_on", false);
-    step("transport.backTen", tr("Ten frames back"), {QKeySequence("Shift+Left")}, -10, {}, false);
-    step("transport.onTen", tr("Ten frames on"), {QKeySequence("Shift+Right")}, 10, {}, false);
+    // How far they go is a preference, and so are their names.
+    const auto leap = [&](const char* id, const QKeySequence& key, int direction) {
+        commands_->add({id,
+                        menu,
+                        tr("Leap"),
+                        {key},
+                        [this, direction] {
+                            session_.stepFrames(direction * preferences_.values().leapFrames);
+                        },
+                        open});
+    };
+    leap("transport.backTen", QKeySequence("Shift+Left"), -1);
+    leap("transport.onTen", QKeySequence("Shift+Right"), 1);
     const auto jump = [this, transport](double seconds) {
         transport->setPlayhead(seconds);
         session_.reveal(transport->playhead());
@@ -259,7 +229,7 @@ void MainWindow::addPlaybackCommands() {
 }
 
 void MainWindow::addViewCommands() {
-    const auto open = [this] { return session_.document().isOpen(); };
+    const auto open = [this] { return hasTake(); };
     const QString menu = tr("&View");
     commands_->add({"view.all",
                     menu,
@@ -281,10 +251,11 @@ void MainWindow::addViewCommands() {
                     open});
     commands_->add({"view.panels",
                     grouped(menu),
-                    tr("Hide or show &panels"),
+                    tr("Hide &panels"),
                     {QKeySequence("H")},
-                    [this] { togglePanels(); },
-                    open});
+                    [this] { setPanelsShown(!panelsShown()); },
+                    [this] { return session_.document().isOpen(); },
+                    [this] { return !panelsShown(); }});
     commands_->add({"view.fullScreen",
                     menu,
                     tr("F&ull screen"),
@@ -304,7 +275,7 @@ void MainWindow::addViewCommands() {
                         {},
                         [this, choice = choice] { setTheme(choice); },
                         {},
-                        [this, choice = choice] { return theme_ == choice; }});
+                        [this, choice = choice] { return preferences_.values().theme == choice; }});
     }
     addStageCommands(*commands_, *stage_, session_);
     const QString help = tr("&Help");

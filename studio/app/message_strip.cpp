@@ -65,6 +65,7 @@ void MessageStrip::showError(const QString& sentence) {
 }
 
 void MessageStrip::showFindings(const QString& about, const Findings& findings) {
+    Q_EMIT found(about, findings);
     QStringList warnings;
     QStringList all;
     for (const Finding& finding : findings) {

@@ -25,6 +25,10 @@ public:
     void dismiss();
     QString text() const;
 
+Q_SIGNALS:
+    /// Findings were reported here, whether or not they were worth a message.
+    void found(const QString& about, const Findings& findings);
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;

@@ -36,6 +36,8 @@ public:
     static void discard(const RecoveryCopy& copy);
     static QString folder();
 
+    /// How long changes wait for the next copy; 30 at first.
+    void setInterval(int seconds) { timer_.setInterval(seconds * 1000); }
     /// Writes the copy if something changed since the last one.
     void writeCopy();
     void removeCopy();

@@ -16,12 +16,46 @@ constexpr double kShortestVisible = 0.1;
 
 Session::Session(QObject* parent) : QObject(parent) {
     connect(&document_, &Document::opened, this, &Session::opened);
-    connect(&document_, &Document::analysisChanged, this, &Session::refreshMarks);
-    connect(&document_, &Document::changed, this, [this] {
-        // Undo may take away the take that is shown.
-        const auto takes = static_cast<int>(document_.project().takes.size());
-        if (take_ > 0 && take_ >= takes) setTake(takes - 1);
+    connect(&document_, &Document::analysisChanged, this, [this] {
+        followTake();
+        refreshMarks();
     });
+    connect(&document_, &Document::changed, this, &Session::followTake);
+}
+
+void Session::followTake() {
+    const auto& takes = document_.project().takes;
+    const auto count = static_cast<int>(takes.size());
+    const auto nameAt = [&](int take) {
+        return take < count ? takes[static_cast<std::size_t>(take)].name : std::string();
+    };
+    const std::string here = nameAt(take_);
+    if (here == takeName_) {
+        knownTakes_ = count;
+        if (count > 0) stretchSpan();
+        return;
+    }
+    const auto found = std::find_if(takes.begin(), takes.end(),
+                                    [&](const Take& take) { return take.name == takeName_; });
+    if (found != takes.end()) {
+        take_ = static_cast<int>(found - takes.begin());
+        refreshMarks();
+    } else if (take_ < count && count == knownTakes_) {
+        takeName_ = here;  // it was renamed
+    } else {
+        setTake(std::min(take_, count - 1));  // it was removed
+    }
+    knownTakes_ = count;
+}
+
+void Session::stretchSpan() {
+    // A fighter that starts at another time makes the take longer or shorter.
+    const TimeSpan before = transport_.span();
+    const bool all = visible_.begin <= before.begin && visible_.end >= before.end;
+    const TimeSpan now = timeSpan(document_.project().takes[static_cast<std::size_t>(take_)]);
+    if (now.begin == before.begin && now.end == before.end) return;
+    transport_.stretchSpan(now);
+    setVisible(all ? now : visible_);
 }
 
 void Session::opened() {
@@ -36,6 +70,8 @@ void Session::opened() {
 void Session::setTake(int take) {
     const auto& takes = document_.project().takes;
     take_ = std::clamp(take, 0, std::max(0, static_cast<int>(takes.size()) - 1));
+    takeName_ = takes.empty() ? std::string() : takes[static_cast<std::size_t>(take_)].name;
+    knownTakes_ = static_cast<int>(takes.size());
     activePlayer_ = 0;
     selection_.reset();
     selectedAction_.reset();
@@ -60,7 +96,11 @@ const FighterAnalysis* Session::fighter(int player) const {
     const auto& fighters = takes[static_cast<std::size_t>(take_)];
     if (player < 0 || player >= static_cast<int>(fighters.size())) return nullptr;
     const FighterAnalysis& found = fighters[static_cast<std::size_t>(player)];
-    return found.available() ? &found : nullptr;
+    if (!found.available() || player >= playerCount()) return nullptr;
+    // Until a job has caught up with the project, another fighter may have stood here.
+    const Take& shown = document_.project().takes[static_cast<std::size_t>(take_)];
+    const bool same = shown.fighters[static_cast<std::size_t>(player)].motion == found.input.motion;
+    return same ? &found : nullptr;
 }
 
 const std::vector<BoundaryMark>& Session::marks(int player) const {

@@ -137,6 +137,8 @@ Q_SIGNALS:
 private:
     FighterAddress address(int player) const { return {take_, player}; }
     void opened();
+    void followTake();
+    void stretchSpan();
     void refreshMarks();
     void keepSelection();
     /// The selected boundary, else the active fighter's nearest to the playhead; none: says so.
@@ -145,12 +147,14 @@ private:
     Document document_;
     Transport transport_;
     int take_ = 0;
+    std::string takeName_;  ///< by which the shown take is found again after it was moved
     int activePlayer_ = 0;
     std::optional<BoundaryRef> selection_;
     std::optional<ActionRef> selectedAction_;
     std::optional<Comparison> comparison_;
     TimeSpan visible_{0, 1};
     std::vector<std::vector<BoundaryMark>> marks_;
+    int knownTakes_ = 0;    ///< how many takes there were when `takeName_` was noted
     bool awaited_ = false;  ///< the shown take has no values yet
 };
 

@@ -8,6 +8,11 @@ namespace kumite::studio {
 
 namespace {
 
+std::optional<bool>& desktopDark() {
+    static std::optional<bool> dark;
+    return dark;
+}
+
 QPalette paletteOf(const Colours& c) {
     QPalette palette;
     palette.setColor(QPalette::Window, c.panel);
@@ -50,6 +55,12 @@ QStatusBar { background: @panel; border-top: 1px solid @line; color: @second; }
 QStatusBar::item { border: none; }
 QToolTip { background: @panel; color: @text; border: 1px solid @line; padding: 3px 6px; }
 QSplitter::handle { background: @line; }
+QTabBar::tab { background: transparent; border: none; border-bottom: 2px solid transparent;
+    padding: 5px 12px; color: @second; }
+QTabBar::tab:selected { color: @text; border-bottom: 2px solid @accent; }
+QTabBar::tab:hover { color: @text; }
+QTabBar:focus { border: none; }
+QTabWidget::pane { border: none; border-top: 1px solid @line; }
 QLabel[role="heading"] { color: @second; font-weight: 600; }
 QLabel[role="second"] { color: @second; }
 QLabel[role="title"] { font-size: 20pt; font-weight: 300; }
@@ -60,7 +71,13 @@ QPushButton:pressed { background: @line; }
 QPushButton:focus { border: 1px solid @accent; }
 QPushButton:disabled { color: @faint; background: @panel; }
 QPushButton[role="step"] { border: 1px solid @accent; padding: 6px 16px; }
+QPushButton[role="recent"] { border: 1px solid transparent; background: transparent;
+    text-align: left; padding: 0; }
+QPushButton[role="recent"]:hover { background: @hover; }
+QPushButton[role="recent"]:focus { border: 1px solid @accent; }
 QToolButton { border: 1px solid transparent; border-radius: 4px; padding: 3px; }
+QToolButton[role="small"] { padding: 1px; }
+QToolButton[role="small"][text] { padding: 1px 6px; color: @second; }
 QToolButton:hover { background: @hover; }
 QToolButton:checked { background: @hover; border: 1px solid @line; }
 QToolButton:focus { border: 1px solid @accent; }
@@ -76,6 +93,11 @@ QLineEdit, QAbstractSpinBox, QComboBox { background: @field; border: 1px solid @
     selection-color: @text; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 1px solid @accent; }
 QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { width: 0; border: none; }
+QCheckBox::indicator { width: 14px; height: 14px; border: 1px solid @faint; border-radius: 3px;
+    background: @field; }
+QCheckBox::indicator:checked { background: @accent; border: 1px solid @accent;
+    image: url(:/icons/check.svg); }
+QCheckBox::indicator:focus { border: 1px solid @accent; }
 QComboBox::drop-down { border: none; width: 18px; }
 QComboBox::down-arrow { image: url(:/icons/chevron_down.svg); width: 12px; height: 12px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
@@ -137,9 +159,14 @@ const Colours& coloursFor(const QPalette& palette) {
     return colours(palette.color(QPalette::Window).lightness() < 128);
 }
 
+void setSystemDark(std::optional<bool> dark) {
+    desktopDark() = dark;
+}
+
 void applyTheme(ThemeChoice choice) {
-    static const bool systemIsDark =
+    static const bool platformIsDark =
         QApplication::palette().color(QPalette::Window).lightness() < 128;
+    const bool systemIsDark = desktopDark().value_or(platformIsDark);
     const bool dark =
         choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemIsDark);
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));

@@ -3,6 +3,8 @@
 #include <QColor>
 #include <QPalette>
 
+#include <optional>
+
 namespace kumite::studio {
 
 /// Which colours the user asked for. System: whatever the platform's palette is.
@@ -24,6 +26,10 @@ struct Colours {
 /// The colours that go with a palette: dark ones for a dark window colour.
 const Colours& coloursFor(const QPalette& palette);
 const Colours& colours(bool dark);
+
+/// Whether the desktop asks for dark windows. Until it has said so (nothing), the platform's
+/// palette at the start decides. Counts from the next `applyTheme`.
+void setSystemDark(std::optional<bool> dark);
 
 /// Gives the whole application the palette and the style sheet of a theme. Views learn of it by
 /// QEvent::PaletteChange.

@@ -22,6 +22,14 @@ void Transport::setSpan(const TimeSpan& span) {
     Q_EMIT moved();
 }
 
+void Transport::stretchSpan(const TimeSpan& span) {
+    if (span.begin == span_.begin && span.end == span_.end) return;
+    span_ = span;
+    playhead_ = std::clamp(playhead_, span.begin, std::max(span.begin, span.end));
+    Q_EMIT stateChanged();
+    Q_EMIT moved();
+}
+
 void Transport::setPlayhead(double seconds) {
     const double inside = std::clamp(seconds, span_.begin, std::max(span_.begin, span_.end));
     if (inside == playhead_) return;

@@ -21,6 +21,8 @@ public:
     TimeSpan span() const { return span_; }
     /// A new take: the playhead goes to its begin, the loop range is forgotten.
     void setSpan(const TimeSpan& span);
+    /// The same take became longer or shorter: playhead, loop and speed stay.
+    void stretchSpan(const TimeSpan& span);
 
     double playhead() const { return playhead_; }
     void setPlayhead(double seconds);

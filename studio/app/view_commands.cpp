@@ -51,7 +51,7 @@ void stepTrail(StageView& stage, int frames) {
 void addStageCommands(CommandTable& commands, StageView& stage, const Session& session) {
     const QString menu = text("3&D view");
     const QString group = QLatin1Char('-') + menu;
-    const auto open = [&session] { return session.document().isOpen(); };
+    const auto open = [&session] { return session.playerCount() > 0; };
     const auto two = [&session] { return session.playerCount() > 1; };
     StageView* view = &stage;
 

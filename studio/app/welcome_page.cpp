@@ -1,21 +1,21 @@
 #include "studio/app/welcome_page.h"
 
 #include <QAction>
-#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
-#include <string_view>
-
 #include "studio/app/commands.h"
-#include "studio/app/icons.h"
 #include "studio/app/recent_files.h"
+#include "studio/app/welcome_picture.h"
 
 namespace kumite::studio {
 
 namespace {
+
+constexpr int kMostRecent = 5;
 
 QLabel* label(const QString& text, const char* role, QWidget* parent) {
     auto* made = new QLabel(text, parent);
@@ -24,49 +24,69 @@ QLabel* label(const QString& text, const char* role, QWidget* parent) {
     return made;
 }
 
+/// A bout that was opened lately: its name over its folder, the day at the right.
+class RecentButton : public QPushButton {
+public:
+    RecentButton(const RecentBout& bout, QWidget* parent) : QPushButton(parent) {
+        setProperty("role", "recent");
+        setCursor(Qt::PointingHandCursor);
+        const QString name = recentText(bout.files);
+        const QString when = whenText(bout.opened);
+        setAccessibleName(tr("Open %1, %2").arg(name, when));
+        setToolTip(bout.files.join(QLatin1Char('\n')));
+        auto* rows = new QVBoxLayout(this);
+        rows->setContentsMargins(10, 5, 10, 5);
+        rows->setSpacing(0);
+        auto* first = new QHBoxLayout;
+        auto* title = new QLabel(this);
+        title->setText(title->fontMetrics().elidedText(name, Qt::ElideMiddle, 290));
+        first->addWidget(title, 1);
+        first->addWidget(label(when, "second", this), 0, Qt::AlignRight);
+        static_cast<QLabel*>(first->itemAt(1)->widget())->setWordWrap(false);
+        rows->addLayout(first);
+        auto* folder = new QLabel(this);
+        folder->setProperty("role", "second");
+        folder->setText(
+            folder->fontMetrics().elidedText(folderText(bout.files), Qt::ElideMiddle, 400));
+        rows->addWidget(folder);
+        for (QLabel* each : findChildren<QLabel*>())
+            each->setAttribute(Qt::WA_TransparentForMouseEvents);
+        setFixedHeight(rows->sizeHint().height());
+    }
+};
+
 }  // namespace
 
 WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
     : QWidget(parent), recent_(new QWidget(this)), list_(new QVBoxLayout(recent_)) {
-    auto* column = new QWidget(this);
-    column->setFixedWidth(520);
+    auto* page = new QWidget(this);
+    auto* picture = new WelcomePicture(page);
+    auto* column = new QWidget(page);
+    column->setFixedWidth(picture->width());
     auto* layout = new QVBoxLayout(column);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(8);
-    auto* picture = new QLabel(column);
-    picture->setPixmap(applicationIcon().pixmap(64, 64));
-    layout->addWidget(picture);
-    layout->addSpacing(8);
+    layout->setContentsMargins(0, 16, 0, 16);
+    layout->setSpacing(6);
     layout->addWidget(label(QStringLiteral("Kumite"), "title", column));
     layout->addWidget(label(tr("Cut a recorded bout into actions: both fighters in 3D over the "
-                               "curves of the force that they exert against the ground."),
+                               "force that they exert against the ground. Its minima are the "
+                               "boundaries; you correct the few that are wrong."),
                             "", column));
-    layout->addSpacing(16);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(8);
-    for (const char* command : {"file.openRecordings", "file.openProject"}) {
-        QAction* action = commands.action(QLatin1String(command));
-        QString text = action->text();
-        text.remove(QLatin1Char('&'));
-        auto* button = new QPushButton(text, column);
-        button->setProperty("role",
-                            command == std::string_view("file.openRecordings") ? "step" : "");
-        button->setMinimumHeight(34);
-        connect(button, &QPushButton::clicked, action, &QAction::trigger);
-        buttons->addWidget(button);
-    }
-    buttons->addStretch(1);
-    layout->addLayout(buttons);
-    layout->addSpacing(4);
-    layout->addWidget(label(tr("Or drop one or two recordings (BVH, or AMC with its ASF), or a "
-                               "project, on this window."),
-                            "second", column));
-    layout->addSpacing(20);
+    layout->addSpacing(14);
+    layout->addWidget(picture);
+    layout->addSpacing(18);
+    auto* below = new QHBoxLayout;
+    below->setSpacing(32);
+    auto* steps = new QVBoxLayout;
+    steps->setSpacing(8);
+    addSteps(commands, steps);
+    below->addLayout(steps);
+    recent_->setParent(column);
+    below->addWidget(recent_, 1);
+    layout->addLayout(below);
+
     list_->setContentsMargins(0, 0, 0, 0);
     list_->setSpacing(2);
-    layout->addWidget(recent_);
-
-    auto* across = new QHBoxLayout(this);
+    auto* across = new QHBoxLayout(page);
     across->addStretch(1);
     auto* down = new QVBoxLayout;
     down->addStretch(2);
@@ -74,27 +94,62 @@ WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
     down->addStretch(3);
     across->addLayout(down);
     across->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(page);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(scroll);
     refresh();
+}
+
+void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
+    column->addWidget(label(tr("Begin"), "heading", this));
+    bool first = true;
+    for (const char* id : {"file.openDemo", "file.openRecordings", "file.openProject"}) {
+        const Command* command = commands.find(QLatin1String(id));
+        if (command == nullptr) continue;
+        QAction* action = commands.action(command->id);
+        auto* button = new QPushButton(command->plainText(), this);
+        button->setProperty("role", first ? "step" : "");
+        button->setMinimumHeight(34);
+        button->setFixedWidth(220);
+        button->setToolTip(action->toolTip());
+        connect(button, &QPushButton::clicked, action, &QAction::trigger);
+        column->addWidget(button);
+        first = false;
+    }
+    column->addSpacing(2);
+    auto* drop = label(tr("Or drop recordings (BVH, or AMC with its ASF) or a project on this "
+                          "window."),
+                       "second", this);
+    drop->setFixedWidth(220);
+    column->addWidget(drop);
+    column->addStretch(1);
 }
 
 void WelcomePage::refresh() {
     while (QLayoutItem* item = list_->takeAt(0)) {
-        delete item->widget();
+        // One of the buttons may be on its way back from a click.
+        if (item->widget()) item->widget()->deleteLater();
         delete item;
     }
-    const auto entries = recentFiles();
-    recent_->setVisible(!entries.isEmpty());
-    if (entries.isEmpty()) return;
     list_->addWidget(label(tr("Opened lately"), "heading", recent_));
-    for (const QStringList& files : entries.mid(0, 5)) {
-        auto* button = new QPushButton(recentText(files), recent_);
-        button->setStyleSheet(QStringLiteral(
-            "text-align: left; border: none; background: transparent; padding: 4px 0;"));
-        button->setCursor(Qt::PointingHandCursor);
-        button->setToolTip(files.join(QLatin1Char('\n')));
-        connect(button, &QPushButton::clicked, this, [this, files] { Q_EMIT chosen(files); });
+    const auto bouts = recentBouts();
+    for (const RecentBout& bout : bouts.mid(0, kMostRecent)) {
+        auto* button = new RecentButton(bout, recent_);
+        connect(button, &QPushButton::clicked, this,
+                [this, files = bout.files] { Q_EMIT chosen(files); });
         list_->addWidget(button);
     }
+    if (bouts.isEmpty()) {
+        list_->addWidget(label(tr("Projects and recordings that you open appear here, with the "
+                                  "day and the folder."),
+                               "second", recent_));
+    }
+    list_->addStretch(1);
 }
 
 }  // namespace kumite::studio

@@ -21,6 +21,8 @@ Q_SIGNALS:
     void chosen(const QStringList& files);
 
 private:
+    void addSteps(CommandTable& commands, QVBoxLayout* column);
+
     QWidget* recent_;
     QVBoxLayout* list_;
 };

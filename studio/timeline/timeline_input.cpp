@@ -197,6 +197,12 @@ std::optional<ActionRef> TimelineView::blockAt(const QPointF& position) const {
 }
 
 bool TimelineView::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && gesture_ == Gesture::Drag &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        // What is dragged is left before any tool that Esc would leave, too.
+        event->accept();
+        return true;
+    }
     if (event->type() != QEvent::ToolTip) return QWidget::event(event);
     const auto* help = static_cast<QHelpEvent*>(event);
     const auto action = blockAt(help->pos());

@@ -83,14 +83,6 @@ FigurePose poseAt(const FighterAnalysis& fighter, int frame, const Overlays& ove
     return pose;
 }
 
-double jointSpeedAt(const FighterAnalysis& fighter, int frame, int joint) {
-    const int before = clampedFrame(fighter, frame - 1);
-    const int after = clampedFrame(fighter, frame + 1);
-    if (after == before) return 0;
-    const Eigen::Vector3d way = jointAt(fighter, after, joint) - jointAt(fighter, before, joint);
-    return way.norm() * fighter.input.rate / (after - before);
-}
-
 Eigen::Vector3d centreAt(const FighterAnalysis& fighter, int frame) {
     const auto index = static_cast<std::size_t>(frame);
     if (fighter.body && index < fighter.body->com.position.size()) {

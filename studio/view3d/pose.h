@@ -42,9 +42,6 @@ std::vector<Eigen::Vector3f> jointsAt(const FighterAnalysis& fighter, int frame)
 /// One joint of it, metres in the bout's space.
 Eigen::Vector3d jointAt(const FighterAnalysis& fighter, int frame, int joint);
 
-/// Speed of a joint, m/s: central differences, one-sided at the ends, 0 for a single frame.
-double jointSpeedAt(const FighterAnalysis& fighter, int frame, int joint);
-
 /// Centre of mass, or the root joint of a skeleton that is no body.
 Eigen::Vector3d centreAt(const FighterAnalysis& fighter, int frame);
 

@@ -70,6 +70,9 @@ public:
     /// Puts a widget (the view's buttons) into the upper right corner.
     void setTools(QWidget* tools);
 
+    /// How fast a drag turns and the wheel zooms; 1 as usual.
+    void setMouseSpeed(double speed) { mouseSpeed_ = speed; }
+
 Q_SIGNALS:
     /// Overlays, ghosts, follow or the measuring tool changed.
     void switchesChanged();
@@ -113,6 +116,7 @@ private:
     QPointF lastPointer_;
     QPointF pressed_;
     bool dragged_ = false;
+    double mouseSpeed_ = 1;
 };
 
 }  // namespace kumite::studio

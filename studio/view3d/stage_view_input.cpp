@@ -91,8 +91,8 @@ void StageView::showLabels() {
         const FighterAnalysis* fighter = session_.fighter(joint.player);
         const auto at = jointPosition(joint);
         if (fighter != nullptr && at) {
-            const double speed =
-                jointSpeedAt(*fighter, session_.shownFrame(joint.player), joint.joint);
+            const float speed = jointSpeed(fighter->motion->positions, joint.joint,
+                                           session_.shownFrame(joint.player), fighter->input.rate);
             marks.points.push_back(
                 {*at, tr("%1   %2 m/s")
                           .arg(jointText(*fighter, joint.joint), QString::number(speed, 'f', 1))});
@@ -148,7 +148,7 @@ void StageView::mouseMoveEvent(QMouseEvent* event) {
     if (pan) {
         scene_->camera.pan(moved.x(), moved.y(), viewport());
     } else {
-        scene_->camera.orbit(moved.x(), moved.y(), viewport());
+        scene_->camera.orbit(mouseSpeed_ * moved.x(), mouseSpeed_ * moved.y(), viewport());
     }
     applyCamera();
 }
@@ -171,7 +171,7 @@ void StageView::leaveEvent(QEvent*) {
 }
 
 void StageView::wheelEvent(QWheelEvent* event) {
-    const double factor = std::pow(1.0015, event->angleDelta().y());
+    const double factor = std::pow(1.0015, mouseSpeed_ * event->angleDelta().y());
     scene_->camera.zoomAbout(event->position().x(), event->position().y(), factor, viewport());
     applyCamera();
     event->accept();

@@ -282,6 +282,26 @@ TEST(Edits, AnEditThatChangesNothingIsNone) {
     EXPECT_FALSE(setRole(b.project, kFirst, Role::Head, 3));
 }
 
+TEST(Edits, TakesMoveAndTheOthersCloseUp) {
+    const Bout b;
+    Project project = b.project;
+    for (const char* name : {"two", "three", "four"})
+        project = addTake(project, Take{name, otherTake().fighters})->project;
+    const auto names = [](const Project& p) {
+        std::string all;
+        for (const Take& take : p.takes)
+            all += take.name + ' ';
+        return all;
+    };
+    EXPECT_EQ(names(moveTake(project, 0, 2)->project), "two three made four ");
+    EXPECT_EQ(names(moveTake(project, 3, 1)->project), "made four two three ");
+    EXPECT_EQ(moveTake(moveTake(project, 1, 3)->project, 3, 1)->project, project);
+    EXPECT_FALSE(moveTake(project, 1, 1));
+    EXPECT_THROW(moveTake(project, 1, 4), Error);
+    EXPECT_THROW(moveTake(project, 1, -1), Error);
+    EXPECT_THROW(moveTake(project, 9, 0), std::out_of_range);
+}
+
 TEST(Edits, NonsenseIsRefused) {
     const Bout b;
     const auto& p = b.project;

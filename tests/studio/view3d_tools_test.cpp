@@ -198,7 +198,9 @@ TEST_F(View3dTest, HoveredJointTellsItsNameAndSpeed) {
     EXPECT_TRUE(said.isEmpty()) << "only the tool asks for joints";
     press(Qt::Key_M);
     QTest::mouseMove(&stage(), at(1, Role::LeftKnee).toPoint() + QPoint(2, 1));
-    const double speed = jointSpeedAt(*session().fighter(1), 120, joint(1, Role::LeftKnee));
+    const FighterAnalysis& fighter = *session().fighter(1);
+    const double speed =
+        jointSpeed(fighter.motion->positions, joint(1, Role::LeftKnee), 120, fighter.input.rate);
     EXPECT_EQ(said, QString("fighter 2: left knee   %1 m/s").arg(speed, 0, 'f', 1));
 }
 

@@ -79,7 +79,7 @@ DetectionBox::DetectionBox(Session& session, QWidget* parent)
     connect(fields_, &SettingsFields::chosen, this, &DetectionBox::choose);
     connect(fields_, &SettingsFields::released, this, [this] {
         act();
-        step_.reset();
+        session_.document().endGesture();
     });
     Document& document = session_.document();
     connect(&document, &Document::changed, this, &DetectionBox::showSettings);
@@ -104,12 +104,8 @@ void DetectionBox::act() {
     waiting_.reset();
     Document& document = session_.document();
     const auto edit = [&](const Project& project) { return setSegmentation(project, settings); };
-    const bool continues = step_ && document.history().position() == *step_;
-    const bool done = continues ? document.amend(edit) : document.apply(edit);
-    if (!done || !fields_->isDragged()) return;
-    const std::size_t now = document.history().position();
-    // Led back to where the drag began, there is no step to amend.
-    step_ = continues && now < *step_ ? std::nullopt : std::optional(now);
+    document.applyLive(QStringLiteral("segmentation"), edit);
+    if (!fields_->isDragged()) document.endGesture();
 }
 
 void DetectionBox::showSettings() {

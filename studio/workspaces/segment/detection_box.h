@@ -55,7 +55,6 @@ private:
     SettingsFields* fields_;
     QLabel* warning_;
     std::optional<SegmentationSettings> waiting_;  ///< chosen while values are still computed
-    std::optional<std::size_t> step_;              ///< the step that the drag amends
 };
 
 }  // namespace kumite::studio

@@ -1,0 +1,206 @@
+// What belongs to the window as a whole: workspaces, layout, preferences and the pages beside it.
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenuBar>
+#include <QSettings>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTimer>
+#include <QToolButton>
+
+#include "studio/app/commands.h"
+#include "studio/app/document_panel.h"
+#include "studio/app/fighter_properties.h"
+#include "studio/app/keys_page.h"
+#include "studio/app/main_window.h"
+#include "studio/app/system_theme.h"
+#include "studio/app/workspaces.h"
+#include "studio/view3d/stage_view.h"
+#include "studio/workspaces/segment/segment_panel.h"
+
+namespace kumite::studio {
+
+void MainWindow::addWorkspaces() {
+    auto* segment = new SegmentPanel(session_, rightPanel_);
+    workspaces_->add({"segment", tr("Segment"), "segment",
+                      tr("Correct the boundaries that cut the bout into actions."), segment,
+                      [this, segment] { addSegmentCommands(*segment); }});
+    workspaces_->addSwitchCommands(tr("&View"));
+}
+
+void MainWindow::layOutTopBar() {
+    auto* bar = new QWidget(menuBar());
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(0, 0, 8, 0);
+    row->setSpacing(8);
+    row->addWidget(new WorkspaceBar(*workspaces_, bar));
+    auto* run = new QToolButton(bar);
+    run->setProperty("role", "small");
+    run->setFocusPolicy(Qt::NoFocus);
+    QAction* action = commands_->action("app.palette");
+    const auto name = [this, run, action] {
+        run->setText(commands_->find("app.palette")->keysText());
+        run->setToolTip(action->toolTip());
+        run->setAccessibleName(commands_->find("app.palette")->plainText());
+    };
+    name();
+    connect(commands_, &CommandTable::renamed, run, name);
+    connect(run, &QToolButton::clicked, action, &QAction::trigger);
+    row->addWidget(run);
+    menuBar()->setCornerWidget(bar, Qt::TopRightCorner);
+}
+
+void MainWindow::setPanelsShown(bool shown) {
+    if (shown == panelsShown_) return;
+    // A splitter forgets the width of what it does not show.
+    if (!shown && isVisible()) columnsState_ = columns_->saveState();
+    panelsShown_ = shown;
+    documentPanel_->setVisible(shown);
+    rightPanel_->setVisible(shown);
+    if (shown && !columnsState_.isEmpty()) columns_->restoreState(columnsState_);
+    commands_->refresh();
+}
+
+void MainWindow::restoreLayout() {
+    const QSettings settings;
+    if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
+        resize(1280, 800);
+    }
+    columnsState_ = settings.value(QStringLiteral("columns")).toByteArray();
+    spaceShared_ = rows_->restoreState(settings.value(QStringLiteral("rows")).toByteArray()) &&
+                   columns_->restoreState(columnsState_);
+    for (QSplitter* splitter : {rows_, columns_}) {
+        connect(splitter, &QSplitter::splitterMoved, this, [this] { spaceShared_ = true; });
+    }
+    workspaces_->show(settings.value(QStringLiteral("workspace")).toString());
+    setPanelsShown(settings.value(QStringLiteral("panels"), true).toBool());
+}
+
+void MainWindow::saveLayout() const {
+    QSettings settings;
+    settings.setValue(QStringLiteral("geometry"), saveGeometry());
+    if (spaceShared_) {
+        settings.setValue(QStringLiteral("rows"), rows_->saveState());
+        settings.setValue(QStringLiteral("columns"),
+                          panelsShown_ ? columns_->saveState() : columnsState_);
+    }
+    settings.setValue(QStringLiteral("workspace"), workspaces_->current());
+    settings.setValue(QStringLiteral("panels"), panelsShown_);
+}
+
+void MainWindow::setTheme(ThemeChoice choice) {
+    preferences_.setTheme(choice);
+}
+
+void MainWindow::applyPreferences() {
+    const PreferenceValues& values = preferences_.values();
+    stage_->setMouseSpeed(values.mouseSpeed);
+    commands_->setText("transport.backTen", tr("%1 frames back").arg(values.leapFrames));
+    commands_->setText("transport.onTen", tr("%1 frames on").arg(values.leapFrames));
+    if (values.theme != shownTheme_) applyTheme(values.theme);
+    shownTheme_ = values.theme;
+    commands_->refresh();
+}
+
+void MainWindow::applyPlaybackPreferences() {
+    Transport& transport = session_.transport();
+    transport.setSpeed(preferences_.values().playbackSpeed);
+    transport.setLooping(preferences_.values().looping);
+}
+
+void MainWindow::followSystemTheme() {
+    setSystemDark(systemTheme_->isDark());
+    if (preferences_.values().theme == ThemeChoice::System) applyTheme(ThemeChoice::System);
+}
+
+QString MainWindow::keysHint() const {
+    struct Entry {
+        QStringList commands;
+        QString text;
+    };
+    const QList<Entry> entries = {
+        {{"transport.play"}, tr("play")},
+        {{"review.next"}, tr("next suspect")},
+        {{"review.accept"}, tr("keep")},
+        {{"review.reject"}, tr("remove")},
+        {{"transport.back", "transport.on"}, tr("frame")},
+        {{"boundary.previous", "boundary.next"}, tr("boundary")},
+        {{"boundary.add"}, tr("add")},
+        {{"app.palette"}, tr("any command")},
+        {{"help.keys"}, tr("all keys")},
+    };
+    QStringList parts;
+    for (const Entry& entry : entries) {
+        QStringList keys;
+        for (const QString& id : entry.commands) {
+            const Command* command = commands_->find(id);
+            if (command == nullptr || command->keys.isEmpty()) continue;
+            if (!commands_->action(id)->isVisible()) continue;
+            QString key = command->keys.front().toString(QKeySequence::NativeText);
+            key.replace(QStringLiteral("Left"), QStringLiteral("←"));
+            key.replace(QStringLiteral("Right"), QStringLiteral("→"));
+            // "Ctrl+← →": what two keys have in common is said once.
+            if (!keys.isEmpty()) key = key.mid(key.lastIndexOf(QLatin1Char('+'), -2) + 1);
+            keys.append(key);
+        }
+        if (!keys.isEmpty())
+            parts.append(keys.join(QLatin1Char(' ')) + QLatin1Char(' ') + entry.text);
+    }
+    return parts.join(QStringLiteral("   "));
+}
+
+void MainWindow::showFindingsCount() {
+    const int count = findings_.count();
+    findingsButton_->setVisible(count > 0);
+    findingsButton_->setText(count == 1 ? tr("1 finding") : tr("%1 findings").arg(count));
+    findingsButton_->setAccessibleName(findingsButton_->text());
+    findingsButton_->setToolTip(tr("What was found in the recordings"));
+}
+
+void MainWindow::showKeys() {
+    if (keysPage_.isNull()) {
+        auto* page = new KeysPage(*commands_, this);
+        page->setAttribute(Qt::WA_DeleteOnClose);
+        connect(page, &KeysPage::remapWanted, this,
+                [this] { showPreferences(PreferencesDialog::KeysPage); });
+        keysPage_ = page;
+    }
+    keysPage_->show();
+    keysPage_->raise();
+    keysPage_->activateWindow();
+}
+
+void MainWindow::showPreferences(PreferencesDialog::Page page) {
+    if (preferencesDialog_.isNull()) {
+        preferencesDialog_ = new PreferencesDialog(preferences_, *commands_, this);
+        preferencesDialog_->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    preferencesDialog_->showPage(page);
+    preferencesDialog_->show();
+    preferencesDialog_->raise();
+    preferencesDialog_->activateWindow();
+}
+
+void MainWindow::showFighterProperties() {
+    if (fighterProperties_.isNull()) {
+        fighterProperties_ = new FighterProperties(session_, *commands_, this);
+        fighterProperties_->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    fighterProperties_->show();
+    fighterProperties_->raise();
+    fighterProperties_->activateWindow();
+}
+
+void MainWindow::showFindings() {
+    if (findingsPage_.isNull()) {
+        findingsPage_ = new FindingsPage(findings_, this);
+        findingsPage_->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    findingsPage_->show();
+    findingsPage_->raise();
+    findingsPage_->activateWindow();
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,107 @@
+#include "studio/app/workspaces.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QToolButton>
+
+#include <algorithm>
+
+#include "studio/app/commands.h"
+#include "studio/app/icons.h"
+#include "studio/app/theme.h"
+
+namespace kumite::studio {
+
+Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QObject* parent)
+    : QObject(parent), commands_(commands), panels_(panels) {}
+
+void Workspaces::add(Workspace workspace) {
+    panels_->addWidget(workspace.panel);
+    if (workspace.addCommands) commands_.addFor(workspace.id, workspace.addCommands);
+    const QString id = workspace.id;
+    all_.push_back(std::move(workspace));
+    if (all_.size() == 1) {
+        show(id);
+    } else {
+        Q_EMIT changed();
+    }
+}
+
+void Workspaces::addSwitchCommands(const QString& menu) {
+    if (all_.size() < 2) return;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        const QString id = all_[i].id;
+        commands_.add({QStringLiteral("workspace.%1").arg(id),
+                       i == 0 ? QLatin1Char('-') + menu : menu,
+                       tr("%1 workspace").arg(all_[i].name),
+                       {QKeySequence(QStringLiteral("Ctrl+%1").arg(i + 1))},
+                       [this, id] { show(id); },
+                       {},
+                       [this, id] { return current_ == id; }});
+    }
+}
+
+void Workspaces::show(const QString& id) {
+    const auto found = std::find_if(all_.begin(), all_.end(),
+                                    [&](const Workspace& each) { return each.id == id; });
+    if (found == all_.end() || current_ == id) return;
+    current_ = id;
+    panels_->setCurrentWidget(found->panel);
+    commands_.showWorkspace(id);
+    Q_EMIT changed();
+}
+
+WorkspaceBar::WorkspaceBar(Workspaces& workspaces, QWidget* parent)
+    : QWidget(parent), workspaces_(workspaces), row_(new QHBoxLayout(this)) {
+    row_->setContentsMargins(0, 0, 0, 0);
+    row_->setSpacing(2);
+    setAccessibleName(tr("Workspaces"));
+    connect(&workspaces_, &Workspaces::changed, this, &WorkspaceBar::fill);
+    fill();
+}
+
+void WorkspaceBar::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) fill();
+}
+
+void WorkspaceBar::fill() {
+    while (QLayoutItem* item = row_->takeAt(0)) {
+        // One of the buttons may be on its way back from a click.
+        item->widget()->hide();
+        item->widget()->deleteLater();
+        delete item;
+    }
+    const Colours& c = coloursFor(palette());
+    const bool single = workspaces_.all().size() == 1;
+    for (const Workspace& workspace : workspaces_.all()) {
+        if (single) {
+            auto* icon = new QLabel(this);
+            icon->setPixmap(linePixmap(workspace.icon, c.secondText, 16, devicePixelRatioF()));
+            row_->addWidget(icon);
+            auto* name = new QLabel(workspace.name, this);
+            name->setProperty("role", "second");
+            name->setToolTip(workspace.tip);
+            name->setContentsMargins(2, 0, 6, 0);
+            row_->addWidget(name);
+            continue;
+        }
+        auto* button = new QToolButton(this);
+        button->setText(workspace.name);
+        button->setIcon(lineIcon(workspace.icon, c.text));
+        button->setIconSize({16, 16});
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setCheckable(true);
+        button->setChecked(workspace.id == workspaces_.current());
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setAccessibleName(tr("%1 workspace").arg(workspace.name));
+        button->setToolTip(workspace.tip);
+        connect(button, &QToolButton::clicked, this,
+                [this, id = workspace.id] { workspaces_.show(id); });
+        row_->addWidget(button);
+    }
+}
+
+}  // namespace kumite::studio
