@@ -134,6 +134,7 @@ void MainWindow::layOut() {
     statusBar()->addWidget(status_, 1);
     auto* jobs = new JobBar(this);
     jobs->watch(files_->jobs());
+    jobs->watch(files_->writing());
     jobs->watch(session_.document().jobs());
     statusBar()->addPermanentWidget(jobs);
 }
@@ -168,7 +169,7 @@ void MainWindow::listen() {
 }
 
 bool MainWindow::isBusy() const {
-    return files_->jobs().isRunning() || !session_.document().isCurrent();
+    return files_->isBusy() || !session_.document().isCurrent();
 }
 
 void MainWindow::shareSpace() {
@@ -259,7 +260,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (files.isEmpty()) return;
     event->acceptProposedAction();
     // Questions may follow: not while the other program still waits for the drop to end.
-    QTimer::singleShot(0, this, [this, files] { files_->open(files); });
+    QTimer::singleShot(0, this, [this, files] { files_->openDropped(files); });
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
