@@ -12,7 +12,7 @@
 #include "core/project/export.h"
 #include "core/project/import.h"
 #include "core/project/project_file.h"
-#include "studio/app/import_dialog.h"
+#include "studio/app/import/import_dialog.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
 #include "studio/app/project_guard.h"

@@ -6,6 +6,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
+#include "core/base/error.h"
 #include "core/project/edits.h"
 #include "core/project/export.h"
 #include "core/project/project_file.h"

@@ -1,7 +1,5 @@
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 
 #include <cstdio>
@@ -12,9 +10,12 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/icons.h"
 #include "studio/app/main_window.h"
+#include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
 #include "studio/app/picture.h"
 #include "studio/app/recovery.h"
+#include "studio/app/recovery_dialog.h"
+#include "studio/app/script.h"
 
 namespace {
 
@@ -25,6 +26,7 @@ using namespace kumite::studio;
 struct Wishes {
     QStringList files;
     QString picture;
+    QString script;
     QSize size;
     std::optional<ThemeChoice> theme;
     std::optional<double> time;
@@ -57,11 +59,13 @@ Wishes readCommandLine(const QApplication& application) {
          {"theme", "dark or light; otherwise as the system.", "THEME"},
          {"time", "Moment that is shown first, seconds.", "S"},
          {"rate", "Frame rate of the recordings, where their headers are wrong.", "HZ"},
+         {"script", "Run the commands of a file, one a line; see studio/app/script.h.", "FILE"},
          {"help-page", "Open the page of keys."}});
     parser.process(application);
     Wishes wishes;
     wishes.files = parser.positionalArguments();
     wishes.picture = parser.value("picture");
+    wishes.script = parser.value("script");
     wishes.time = numberOption(parser, "time");
     wishes.rate = numberOption(parser, "rate");
     wishes.keys = parser.isSet("help-page");
@@ -90,30 +94,21 @@ void openFiles(MainWindow& window, const Wishes& wishes) {
     }
 }
 
+/// Asks what to do with what an unexpected end left behind, if anything is there.
 void offerRecovery(MainWindow& window, Recovery& recovery) {
-    const auto copy = Recovery::leftBehind();
-    if (!copy) return;
-    const QString edits =
-        copy->edits == 1 ? MainWindow::tr("1 edit") : MainWindow::tr("%1 edits").arg(copy->edits);
-    QMessageBox box(QMessageBox::Question, MainWindow::tr("Recovery"),
-                    MainWindow::tr("Kumite closed unexpectedly. Recover %1 with %2 from %3?")
-                        .arg(copy->name, edits, copy->time.toString("hh:mm")),
-                    QMessageBox::NoButton, &window);
-    QAbstractButton* recover = box.addButton(MainWindow::tr("Recover"), QMessageBox::AcceptRole);
-    QAbstractButton* discard =
-        box.addButton(MainWindow::tr("Discard"), QMessageBox::DestructiveRole);
-    box.addButton(MainWindow::tr("Later"), QMessageBox::RejectRole);
-    box.exec();
-    if (box.clickedButton() == recover) {
-        // The old copy goes only once this run has one of its own.
-        QObject::connect(&window.files(), &FileActions::recovered, &recovery,
-                         [&recovery, copy = *copy] {
-                             recovery.writeCopy();
-                             Recovery::discard(copy);
-                         });
-        window.files().openRecovered(copy->file, copy->original);
-    }
-    if (box.clickedButton() == discard) Recovery::discard(*copy);
+    auto copies = Recovery::leftBehind();
+    if (copies.empty()) return;
+    // The old copy goes only once this run has one of its own, which the opening makes.
+    QObject::connect(&window.files(), &FileActions::recovered, &recovery,
+                     [&recovery](const RecoveryCopy& copy) {
+                         recovery.countOn(copy.edits);
+                         Recovery::discard(copy);
+                     });
+    auto* dialog = new RecoveryDialog(std::move(copies), &window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &RecoveryDialog::recoveryWanted, &window.files(),
+                     &FileActions::openRecovered);
+    dialog->open();
 }
 
 }  // namespace
@@ -144,12 +139,17 @@ int main(int argc, char** argv) {
     window.show();
     if (wishes.keys) window.showKeys();
     openFiles(window, wishes);
-    if (picture) return takePicture(window, wishes.picture, wishes.time) ? 0 : 1;
+    if (picture) {
+        if (!wishes.script.isEmpty() && !runScript(window, wishes.script)) return 1;
+        return takePicture(window, wishes.picture, wishes.time) ? 0 : 1;
+    }
+    Recovery recovery(window.session());
+    QObject::connect(&recovery, &Recovery::failed, &window.messages(), &MessageStrip::showError);
     if (wishes.time) {
         waitWhileBusy(window);
         window.session().transport().setPlayhead(*wishes.time);
     }
-    Recovery recovery(window.session());
-    if (wishes.files.isEmpty()) offerRecovery(window, recovery);
+    offerRecovery(window, recovery);
+    if (!wishes.script.isEmpty() && !runScript(window, wishes.script)) return 1;
     return QApplication::exec();
 }

@@ -63,18 +63,18 @@ VersionsDialog::VersionsDialog(const QString& project, QWidget* parent)
     connect(&reading_, &JobRunner::failed, text_, &QLabel::setText);
     refresh();
     if (project.isEmpty()) {
-        show({});
+        fill({});
     } else {
         text_->setText(tr("Looking…"));
         reading_.start(
             tr("Reading versions"),
             [path = toPath(project)](const Progress&) { return keptVersions(path); },
-            [this](std::vector<KeptVersion> versions) { show(std::move(versions)); });
+            [this](std::vector<KeptVersion> versions) { fill(std::move(versions)); });
     }
     list_->setFocus();
 }
 
-void VersionsDialog::show(std::vector<KeptVersion> versions) {
+void VersionsDialog::fill(std::vector<KeptVersion> versions) {
     versions_ = std::move(versions);
     text_->setText(
         versions_.empty()

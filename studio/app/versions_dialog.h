@@ -30,7 +30,7 @@ Q_SIGNALS:
     void copyWanted(const KeptVersion& version);
 
 private:
-    void show(std::vector<KeptVersion> versions);
+    void fill(std::vector<KeptVersion> versions);
     const KeptVersion* chosen() const;
     void refresh();
 

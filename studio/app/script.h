@@ -1,0 +1,20 @@
+#pragma once
+
+#include <QString>
+
+namespace kumite::studio {
+
+class MainWindow;
+
+/// Runs a file of commands in the window, one a line, as keys would: names of the command table
+/// ("boundary.add"), and
+///   time S          moves the playhead
+///   take N          shows a take, counted from 1
+///   wait MS         lets the window work
+///   import FILE…    opens the import dialog on recordings
+///   save FILE       saves under a name
+/// After each the line is written to standard output, so that whoever drives the studio knows how
+/// far it is. False, with a sentence on standard error, at the first line that cannot be run.
+bool runScript(MainWindow& window, const QString& file);
+
+}  // namespace kumite::studio
