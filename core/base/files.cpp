@@ -71,8 +71,11 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
                          Outlives outlives) {
     // A link is followed: the file it points to is replaced, the link stays.
     std::filesystem::path target = path;
-    if (std::filesystem::is_symlink(path)) target = std::filesystem::weakly_canonical(path);
-    std::error_code unknown;
+    std::error_code unknown;  // what cannot be looked at fails below, with the system's reason
+    if (std::filesystem::is_symlink(path, unknown)) {
+        const auto pointedTo = std::filesystem::weakly_canonical(path, unknown);
+        if (!unknown) target = pointedTo;
+    }
     const auto kind = std::filesystem::status(target, unknown).type();
     if (kind == std::filesystem::file_type::directory) {
         throw Error(path.string() + ": is a folder, expected a file to write.");

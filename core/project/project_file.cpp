@@ -294,7 +294,9 @@ BodyModel readBodyModel(const std::filesystem::path& path) {
 
 Findings saveProject(const Project& project, const std::filesystem::path& path) {
     // Where links lead: relative paths must mean the same from every way in.
-    const auto folder = std::filesystem::weakly_canonical(path).parent_path();
+    std::error_code refused;
+    const auto folder = std::filesystem::weakly_canonical(path, refused).parent_path();
+    if (refused) throw Error(path.string() + ": cannot write: " + refused.message() + ".");
     const std::string text = projectText(project, folder);
     Findings findings;
     try {

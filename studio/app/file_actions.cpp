@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -96,9 +97,9 @@ void FileActions::openProjectFile(const QString& path) {
         box.setInformativeText(holderText(*lock->holder()) + QLatin1Char('\n') +
                                tr("A copy can be changed and saved under another name. Taking "
                                   "over, you save into this file, and so may the other."));
-        auto* copy = box.addButton(tr("Open a copy"), QMessageBox::AcceptRole);
-        auto* take = box.addButton(tr("Take over"), QMessageBox::DestructiveRole);
-        box.setDefaultButton(copy);
+        QAbstractButton* copy = box.addButton(tr("Open a copy"), QMessageBox::AcceptRole);
+        QAbstractButton* take = box.addButton(tr("Take over"), QMessageBox::DestructiveRole);
+        box.setDefaultButton(static_cast<QPushButton*>(copy));
         box.exec();
         asCopy = box.clickedButton() == copy;
         if (box.clickedButton() == take) {

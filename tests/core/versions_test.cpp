@@ -72,8 +72,10 @@ TEST(Versions, TimeIsThatOfTheSave) {
 TEST(Versions, RecordingsAreFoundFromTheProjectsFolder) {
     const TemporaryFolder folder;
     Project project = test::makeBout();
-    for (Fighter& fighter : project.takes[0].fighters)
-        fighter.recording.path = folder / "recordings" / "made.bvh";
+    for (Fighter& fighter : project.takes[0].fighters) {
+        const bool isFirst = &fighter == &project.takes[0].fighters.front();
+        fighter.recording.path = folder / "recordings" / (isFirst ? "red.bvh" : "blue.bvh");
+    }
     const auto file = folder / "bout.kumite";
     saveProject(project, file);
     saveProject(setSegmentation(project, {5, 0.1, ForceCurve::Norm})->project, file);
@@ -142,6 +144,8 @@ int saveFails(const Saved& saved) {
     } catch (const Error& error) {
         const std::string text = error.what();
         return text.find("bout.kumite") != std::string::npos && text.ends_with(".") ? 0 : 2;
+    } catch (...) {
+        return 3;
     }
 }
 
@@ -163,11 +167,21 @@ TEST(ReadOnlyFolder, OldFileStaysWhole) {
     saved.save(3);
     const std::string old = readText(saved.file);
     using std::filesystem::perms;
-    std::filesystem::permissions(saved.folder.path(), perms::owner_read | perms::owner_exec |
-                                                          perms::others_read | perms::others_exec);
+    std::filesystem::permissions(saved.folder.path(), perms::all & ~(perms::owner_write |
+                                                                     perms::group_write |
+                                                                     perms::others_write));
     EXPECT_EQ(restricted(RLIM_INFINITY, [&] { return saveFails(saved); }), 0);
     std::filesystem::permissions(saved.folder.path(), perms::owner_all);
     EXPECT_EQ(readText(saved.file), old);
+}
+
+TEST(ReadOnlyFolder, AFolderThatMayNotEvenBeEnteredGivesASentence) {
+    const Saved saved;
+    saved.save(3);
+    std::filesystem::permissions(saved.folder.path(), std::filesystem::perms::none);
+    EXPECT_EQ(restricted(RLIM_INFINITY, [&] { return saveFails(saved); }), 0);
+    std::filesystem::permissions(saved.folder.path(), std::filesystem::perms::owner_all);
+    EXPECT_EQ(loadProject(saved.file).project.segmentation.cutoff, 3.0);
 }
 
 TEST(AtomicWrite, ManyThreadsIntoOneFolderDoNotDisturbEachOther) {
