@@ -89,8 +89,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
     }
     static std::atomic<int> number = 0;  // two threads may write into one folder
     const std::filesystem::path temporary =
-        target.parent_path() / (".kumite-" + std::to_string(::getpid()) + "-" +
-                                std::to_string(++number) + ".part");
+        target.parent_path() /
+        (".kumite-" + std::to_string(::getpid()) + "-" + std::to_string(++number) + ".part");
 
     const auto giveUp = [&](const std::string& what) {
         Error error = systemError(what, path);

@@ -30,10 +30,9 @@ void list(const std::vector<KeptVersion>& versions, bool asJson, std::ostream& o
     for (std::size_t i = 0; i < versions.size(); ++i) {
         const KeptVersion& version = versions[i];
         out << fmt::format("{:2}  {}  {}\n", i + 1, momentOf(version),
-                           version.problem.empty()
-                               ? fmt::format("takes {}, corrections {}", version.takes,
-                                             version.corrections)
-                               : version.problem);
+                           version.problem.empty() ? fmt::format("takes {}, corrections {}",
+                                                                 version.takes, version.corrections)
+                                                   : version.problem);
     }
 }
 
@@ -44,8 +43,7 @@ void restore(const std::string& project, int number, const Streams& streams) {
                                 versions.size()));
     }
     const KeptVersion& version = versions[static_cast<std::size_t>(number - 1)];
-    const LoadedProject loaded =
-        loadVersion(project, version, {}, streams.progress("reading"));
+    const LoadedProject loaded = loadVersion(project, version, {}, streams.progress("reading"));
     printFindings(loaded.findings, streams);
     printFindings(saveProject(loaded.project, project), streams);
     streams.out << "Restored the version of " << momentOf(version)
@@ -64,8 +62,8 @@ void addVersions(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "versions", "Lists the last ten states of a project that were saved over; restores one.");
     command->add_option("PROJECT", o->project, "a .kumite file")->required();
-    CLI::Option* which = command->add_option("--restore", o->restore,
-                                             "number in the list, 1 is the newest");
+    CLI::Option* which =
+        command->add_option("--restore", o->restore, "number in the list, 1 is the newest");
     command->add_flag("--json", o->json, "one JSON object on standard output")->excludes(which);
     command->footer("Example: kumite versions bout.kumite --restore 1");
     command->callback([o, which, &action] {

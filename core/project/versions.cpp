@@ -130,8 +130,8 @@ std::vector<KeptVersion> keptVersions(const fs::path& project) {
     return versions;
 }
 
-LoadedProject loadVersion(const fs::path& project, const KeptVersion& version,
-                          const Project& known, const Progress& progress) {
+LoadedProject loadVersion(const fs::path& project, const KeptVersion& version, const Project& known,
+                          const Progress& progress) {
     return loadRecordings(parseVersion(project, version.file), folderOf(project), known, progress);
 }
 

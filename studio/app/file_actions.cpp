@@ -79,10 +79,9 @@ void FileActions::openDropped(const QStringList& files) {
 
 void FileActions::refuseFiles(const QStringList& files, bool anyProject) {
     strip_.showError(
-        anyProject
-            ? tr("A project opens alone: choose one .kumite file, or one or two recordings.")
-            : tr("A take has one or two fighters: choose one or two recordings, not %1.")
-                  .arg(files.size()));
+        anyProject ? tr("A project opens alone: choose one .kumite file, or one or two recordings.")
+                   : tr("A take has one or two fighters: choose one or two recordings, not %1.")
+                         .arg(files.size()));
 }
 
 void FileActions::openProjectFile(const QString& path) {
@@ -185,7 +184,8 @@ void FileActions::askForRecordings() {
 
 void FileActions::showImportDialog(const QStringList& files) {
     const Document& document = session_.document();
-    auto* dialog = new ImportDialog(files, document.isOpen() ? document.name() : QString(), window_);
+    auto* dialog =
+        new ImportDialog(files, document.isOpen() ? document.name() : QString(), window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] {
         if (dialog->addsToProject()) {

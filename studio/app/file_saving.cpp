@@ -114,10 +114,10 @@ bool FileActions::mayTakeOver(ProjectLock& lock, const QString& path) {
 }
 
 bool FileActions::mayReplace(const QString& path) {
-    QMessageBox box(QMessageBox::Question, tr("Changed on the disk"),
-                    tr("%1 was changed by somebody else since you opened it.")
-                        .arg(QFileInfo(path).fileName()),
-                    QMessageBox::Cancel, window_);
+    QMessageBox box(
+        QMessageBox::Question, tr("Changed on the disk"),
+        tr("%1 was changed by somebody else since you opened it.").arg(QFileInfo(path).fileName()),
+        QMessageBox::Cancel, window_);
     box.setInformativeText(
         tr("It was written %1. If you save over it, what it holds now is kept as a version.")
             .arg(momentText(QFileInfo(path).lastModified(), true)));
@@ -179,8 +179,9 @@ void FileActions::restore(const KeptVersion& version) {
                 return restoreVersion(project, loaded.project, when.toStdString());
             });
             strip_.showFindings(tr("Found in the version"), loaded.findings);
-            Q_EMIT reported(restored ? tr("Restored the version of %1; Ctrl+Z takes it back.").arg(when)
-                                     : tr("That version is what is open."));
+            Q_EMIT reported(restored
+                                ? tr("Restored the version of %1; Ctrl+Z takes it back.").arg(when)
+                                : tr("That version is what is open."));
         });
 }
 

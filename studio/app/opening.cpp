@@ -21,8 +21,8 @@ OpenedProject analysed(LoadedProject loaded, const Progress& progress) {
 OpenedProject openProject(const QString& path, const Progress& progress) {
     // Whoever writes the file while it is read is noticed before it is saved over.
     const std::string read = fingerprint(path);
-    OpenedProject opened = analysed(loadProject(toPath(path), progress.part(0.0, 0.7)),
-                                    progress.part(0.7, 1.0));
+    OpenedProject opened =
+        analysed(loadProject(toPath(path), progress.part(0.0, 0.7)), progress.part(0.7, 1.0));
     opened.fingerprint = read;
     return opened;
 }

@@ -42,8 +42,8 @@ std::optional<RecoveryCopy> readCopy(const QString& path) {
     copy.original = about.value(QStringLiteral("original")).toString();
     copy.name = about.value(QStringLiteral("name")).toString();
     copy.edits = about.value(QStringLiteral("edits")).toInt();
-    copy.time = QDateTime::fromString(about.value(QStringLiteral("time")).toString(),
-                                      Qt::ISODateWithMs);
+    copy.time =
+        QDateTime::fromString(about.value(QStringLiteral("time")).toString(), Qt::ISODateWithMs);
     copy.project = file.readAll();
     try {
         parseProject(copy.project.toStdString(), path.toStdString(), toPath(Recovery::folder()));
@@ -100,7 +100,8 @@ void Recovery::projectChanged() {
     if (hasCopy_ && document.project() == copied_) return;
     try {
         const QByteArray text = copyText();
-        writeFileAtomically(toPath(base_ + kEdit), {text.data(), static_cast<std::size_t>(text.size())},
+        writeFileAtomically(toPath(base_ + kEdit),
+                            {text.data(), static_cast<std::size_t>(text.size())},
                             Outlives::Program);
         reported_ = false;
     } catch (const std::exception& error) {

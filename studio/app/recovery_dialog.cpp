@@ -35,8 +35,8 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryCopy> copies, QWidget* parent
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
     for (const RecoveryCopy& copy : copies_) {
-        const QString folder = copy.original.isEmpty() ? tr("never saved")
-                                                       : QFileInfo(copy.original).absolutePath();
+        const QString folder =
+            copy.original.isEmpty() ? tr("never saved") : QFileInfo(copy.original).absolutePath();
         auto* row = new QTreeWidgetItem(
             list_, {copy.name, momentText(copy.time), editsText(copy.edits), folder});
         row->setToolTip(3, folder);
@@ -49,8 +49,8 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryCopy> copies, QWidget* parent
     list_->header()->setStretchLastSection(true);
     list_->setTextElideMode(Qt::ElideMiddle);
     const int rows = std::clamp(static_cast<int>(copies_.size()), 2, 8);
-    list_->setMinimumHeight(28 + rows * 24);
-    layout->addWidget(list_, 1);
+    list_->setFixedHeight(28 + rows * 20);
+    layout->addWidget(list_);
     auto* buttons = new QHBoxLayout;
     auto* later = new QPushButton(tr("Later"), this);
     discard_->setToolTip(tr("Delete the chosen edits for good (Del)"));

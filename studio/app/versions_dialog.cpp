@@ -39,7 +39,8 @@ VersionsDialog::VersionsDialog(const QString& project, QWidget* parent)
     auto* buttons = new QHBoxLayout;
     auto* close = new QPushButton(tr("Close"), this);
     copy_->setToolTip(tr("Open the chosen version as a project without a file"));
-    restore_->setToolTip(tr("Make the chosen version the open project; undo takes it back (Enter)"));
+    restore_->setToolTip(
+        tr("Make the chosen version the open project; undo takes it back (Enter)"));
     close->setToolTip(tr("Leave everything as it is (Esc)"));
     restore_->setProperty("role", "step");
     restore_->setDefault(true);

@@ -50,8 +50,8 @@ QString fighterText(int player) {
 }
 
 QString momentText(const QDateTime& moment, bool seconds) {
-    const QString time = moment.time().toString(seconds ? QStringLiteral("HH:mm:ss")
-                                                        : QStringLiteral("HH:mm"));
+    const QString time =
+        moment.time().toString(seconds ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm"));
     const QDate today = QDate::currentDate();
     if (moment.date() == today) {
         return QCoreApplication::translate("words", "today %1").arg(time);

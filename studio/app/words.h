@@ -19,7 +19,8 @@ QString bodyWeightsText(double bodyWeights);
 QString percentText(double share);
 /// 0 → "fighter 1".
 QString fighterText(int player);
-/// "today 10:32", "yesterday 18:04", "2008-01-31 17:45"; with seconds where they tell moments apart.
+/// "today 10:32", "yesterday 18:04", "2008-01-31 17:45"; with seconds where they tell moments
+/// apart.
 QString momentText(const QDateTime& moment, bool seconds = false);
 /// "Computer dojo, process 4711, since today 10:32."
 QString holderText(const LockHolder& holder);

@@ -115,18 +115,12 @@ const std::map<std::string, Draw>& edits() {
              if (p.takes.size() < 2) return std::nullopt;
              return removeTake(p, anyTake(p, r));
          }},
-        {"renameTake",
-         [](const Project& p, const Analysis&, Random& r) {
-             return renameTake(p, anyTake(p, r), letters(r));
-         }},
-        {"swapFighters",
-         [](const Project& p, const Analysis&, Random& r) {
-             return swapFighters(p, anyTake(p, r));
-         }},
-        {"setOffset",
-         [](const Project& p, const Analysis&, Random& r) {
-             return setOffset(p, fighter(p, r), number(r, -3, 3));
-         }},
+        {"renameTake", [](const Project& p, const Analysis&,
+                          Random& r) { return renameTake(p, anyTake(p, r), letters(r)); }},
+        {"swapFighters", [](const Project& p, const Analysis&,
+                            Random& r) { return swapFighters(p, anyTake(p, r)); }},
+        {"setOffset", [](const Project& p, const Analysis&,
+                         Random& r) { return setOffset(p, fighter(p, r), number(r, -3, 3)); }},
         {"setPlacement",
          [](const Project& p, const Analysis&, Random& r) {
              return setPlacement(p, fighter(p, r),
@@ -134,8 +128,8 @@ const std::map<std::string, Draw>& edits() {
          }},
         {"setFloor",
          [](const Project& p, const Analysis&, Random& r) {
-             return setFloor(p, fighter(p, r), pick(r, 2) ? std::optional(number(r, -0.1, 0.1))
-                                                          : std::nullopt);
+             return setFloor(p, fighter(p, r),
+                             pick(r, 2) ? std::optional(number(r, -0.1, 0.1)) : std::nullopt);
          }},
         {"setRole",
          [](const Project& p, const Analysis&, Random& r) {
@@ -220,8 +214,8 @@ TEST(EditRoundTrip, UndoRedoSaveAndReopenGiveTheSameProject) {
                 continue;  // refused with a sentence: nothing changed
             }
             if (!edit) continue;
-            const std::string what = chosen->first + ", seed " + std::to_string(seed) + ", step " +
-                                     std::to_string(step);
+            const std::string what =
+                chosen->first + ", seed " + std::to_string(seed) + ", step " + std::to_string(step);
             ++done[chosen->first];
             const Project after = edit->project;
             EXPECT_FALSE(after == before) << what;

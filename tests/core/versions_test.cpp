@@ -167,9 +167,9 @@ TEST(ReadOnlyFolder, OldFileStaysWhole) {
     saved.save(3);
     const std::string old = readText(saved.file);
     using std::filesystem::perms;
-    std::filesystem::permissions(saved.folder.path(), perms::all & ~(perms::owner_write |
-                                                                     perms::group_write |
-                                                                     perms::others_write));
+    std::filesystem::permissions(
+        saved.folder.path(),
+        perms::all & ~(perms::owner_write | perms::group_write | perms::others_write));
     EXPECT_EQ(restricted(RLIM_INFINITY, [&] { return saveFails(saved); }), 0);
     std::filesystem::permissions(saved.folder.path(), perms::owner_all);
     EXPECT_EQ(readText(saved.file), old);

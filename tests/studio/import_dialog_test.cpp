@@ -174,10 +174,11 @@ TEST_F(ImportTest, AFormatThatIsNotReadNamesTheWayThroughBlender) {
 TEST_F(ImportTest, WhichSkeletonOfAFileCanBeChosen) {
     QFile two(file("two.bvh"));
     ASSERT_TRUE(two.open(QIODevice::WriteOnly));
-    two.write("HIERARCHY\nROOT A { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition End Site "
-              "{ OFFSET 0 1 0 } }\nROOT B { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition "
-              "End Site { OFFSET 0 1 0 } }\nMOTION\nFrames: 3\nFrame Time: 0.01\n"
-              "0 0 0 1 1 1\n0 0 0 1 1 1\n0 0 0 1 1 1\n");
+    two.write(
+        "HIERARCHY\nROOT A { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition End Site "
+        "{ OFFSET 0 1 0 } }\nROOT B { OFFSET 0 0 0 CHANNELS 3 Xposition Yposition Zposition "
+        "End Site { OFFSET 0 1 0 } }\nMOTION\nFrames: 3\nFrame Time: 0.01\n"
+        "0 0 0 1 1 1\n0 0 0 1 1 1\n0 0 0 1 1 1\n");
     two.close();
     ImportDialog& dialog = openDialog({file("two.bvh")});
     auto* root = named<QComboBox>("Skeleton of fighter 1");
@@ -241,6 +242,9 @@ TEST_F(ImportTest, ADropOnTheDialogGoesToTheFighterThatHasNoFile) {
     openDialog({file("left.bvh")});
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(file("right.bvh"))});
+    QDragEnterEvent enter({300, 400}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(dialog_.get(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
     QDropEvent drop(QPointF(300, 400), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(dialog_.get(), &drop);
     wait();

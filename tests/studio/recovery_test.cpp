@@ -1,5 +1,6 @@
 #include "studio/app/recovery.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QPushButton>
@@ -122,6 +123,7 @@ TEST_F(RecoveryTest, DialogSaysWhatIsThereRecoversAndDiscards) {
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     RecoveryDialog dialog({copy("a", 1), copy("b", 12)}, window_.get());
     dialog.show();
+    QApplication::setActiveWindow(&dialog);
     auto* list = dialog.findChild<QTreeWidget*>();
     EXPECT_EQ(list->topLevelItem(0)->text(2), "1 edit");
     EXPECT_EQ(list->topLevelItem(1)->text(2), "12 edits");

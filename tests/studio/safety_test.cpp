@@ -30,10 +30,13 @@ namespace kumite::studio {
 namespace {
 
 /// Presses a button, by its text, of the message box that comes up next.
-void answer(const QString& text) {
-    QTimer::singleShot(50, qApp, [text] {
+void answer(const QString& text, int patience = 400) {
+    QTimer::singleShot(25, qApp, [text, patience] {
         auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        ASSERT_NE(box, nullptr) << text.toStdString();
+        if (box == nullptr) {
+            ASSERT_GT(patience, 0) << "nothing was asked that " << text.toStdString() << " answers";
+            return answer(text, patience - 1);
+        }
         for (QAbstractButton* button : box->buttons()) {
             if (button->text().remove('&') == text) return button->click();
         }
@@ -250,9 +253,9 @@ TEST_F(SafetyTest, KilledAtAnyInstantAtMostTheActInProgressIsLost) {
             ASSERT_TRUE(text.open(QIODevice::ReadOnly));
             const QByteArray about = text.readLine();
             EXPECT_TRUE(about.contains(project().toUtf8()));
-            recovered = std::max(
-                recovered, corrections(parseProject(text.readAll().toStdString(), "copy",
-                                                    toPath(folder.path()))));
+            recovered =
+                std::max(recovered, corrections(parseProject(text.readAll().toStdString(), "copy",
+                                                             toPath(folder.path()))));
         }
         EXPECT_GE(recovered - before, added) << "round " << round;
         EXPECT_LE(recovered - before, added + 1) << "round " << round;

@@ -16,7 +16,6 @@
 #include <numbers>
 
 #include "core/base/text.h"
-#include "core/project/export.h"
 #include "studio/app/import/import_preview.h"
 #include "studio/app/import/role_table.h"
 #include "studio/app/theme.h"
@@ -177,9 +176,9 @@ void ImportDialog::offerRoots() {
         const std::string asf = trimmed(answers.asf->text().toStdString()).empty()
                                     ? std::string()
                                     : answers.asf->text().trimmed().toStdString();
-        const auto found =
-            recordings_.find({toPath(answers.file->text().trimmed()),
-                              asf.empty() ? std::filesystem::path() : toPath(QString::fromStdString(asf))});
+        const auto found = recordings_.find(
+            {toPath(answers.file->text().trimmed()),
+             asf.empty() ? std::filesystem::path() : toPath(QString::fromStdString(asf))});
         QStringList names;
         if (found != recordings_.end() && found->second.recording) {
             for (const std::string& name : rootNames(*found->second.recording))
@@ -282,8 +281,8 @@ void ImportDialog::showLook(std::shared_ptr<const ImportLook> look) {
     preview_->setLook(look_);
     play_->setEnabled(true);
     roles_->setLook(*look_);
-    tabs_->setTabText(1, roles_->missing() > 0 ? tr("Roles, %1 missing").arg(roles_->missing())
-                                               : tr("Roles"));
+    tabs_->setTabText(
+        1, roles_->missing() > 0 ? tr("Roles, %1 missing").arg(roles_->missing()) : tr("Roles"));
     open_->setEnabled(true);
     showFound(*look_);
     QStringList lines;
@@ -361,8 +360,8 @@ void ImportDialog::dropEvent(QDropEvent* event) {
     const QPoint at = event->position().toPoint();
     const QLineEdit* second = answers_[1].file;
     const bool onSecond = second->geometry().contains(second->parentWidget()->mapFrom(this, at));
-    const bool onFirst = answers_[0].file->geometry().contains(
-        answers_[0].file->parentWidget()->mapFrom(this, at));
+    const bool onFirst =
+        answers_[0].file->geometry().contains(answers_[0].file->parentWidget()->mapFrom(this, at));
     const bool firstTaken = !answers_[0].file->text().isEmpty() && second->text().isEmpty();
     if (files.size() == 1 && (onSecond || (firstTaken && !onFirst))) {
         files.prepend(answers_[0].file->text());

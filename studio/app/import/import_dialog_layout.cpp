@@ -29,8 +29,9 @@ constexpr int kFieldWidth = 104;
 QLabel* fighterLabel(int player, QWidget* parent) {
     const Colours& c = coloursFor(parent->palette());
     auto* label = new QLabel(parent);
-    label->setText(QStringLiteral("<span style='color:%1'>●</span> %2")
-                       .arg(c.fighters[player].name(), ImportDialog::tr("Fighter %1").arg(player + 1)));
+    label->setText(
+        QStringLiteral("<span style='color:%1'>●</span> %2")
+            .arg(c.fighters[player].name(), ImportDialog::tr("Fighter %1").arg(player + 1)));
     return label;
 }
 
@@ -64,11 +65,14 @@ QComboBox* ImportDialog::makeChoice(const QString& name, const QString& tip) {
 
 void ImportDialog::makeAnswers(int player) {
     Answers& a = answers_[player];
-    const auto of = [&](const QString& what) { return tr("%1 of %2").arg(what, fighterText(player)); };
+    const auto of = [&](const QString& what) {
+        return tr("%1 of %2").arg(what, fighterText(player));
+    };
     a.file = new QLineEdit(this);
     a.file->setAccessibleName(of(tr("Recording")));
     a.file->setAcceptDrops(false);
-    a.file->setPlaceholderText(player == 0 ? tr("a .bvh or .amc file") : tr("none: a single fighter"));
+    a.file->setPlaceholderText(player == 0 ? tr("a .bvh or .amc file")
+                                           : tr("none: a single fighter"));
     connect(a.file, &QLineEdit::editingFinished, this, [this, &a] {
         if (!a.file->isModified()) return;
         a.file->setModified(false);
@@ -89,8 +93,10 @@ void ImportDialog::makeAnswers(int player) {
                          tr("Seconds on the take's clock at which its first frame stands"));
     a.x = makeField(of(tr("Place x")), zero, tr("Metres along x from where the file stands"));
     a.z = makeField(of(tr("Place z")), zero, tr("Metres along z from where the file stands"));
-    a.yaw = makeField(of(tr("Turn")), zero, tr("Degrees about the vertical, about the file's origin"));
-    a.floor = makeField(of(tr("Floor")), tr("found"), tr("Height of the floor in the file, metres"));
+    a.yaw =
+        makeField(of(tr("Turn")), zero, tr("Degrees about the vertical, about the file's origin"));
+    a.floor =
+        makeField(of(tr("Floor")), tr("found"), tr("Height of the floor in the file, metres"));
 }
 
 QWidget* ImportDialog::makeFileRows() {

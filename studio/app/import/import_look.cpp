@@ -7,7 +7,7 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr int kPoses = 160;       // looked at for floor and extent
+constexpr int kPoses = 160;      // looked at for floor and extent
 constexpr int kDistances = 800;  // points of the curve: about one a pixel
 
 JointPositions frameOf(const Fighter& fighter, double seconds) {
@@ -86,8 +86,7 @@ ImportLook lookAt(const TakeRequest& request, const Recordings& recordings,
     for (int i = 0; players == 2 && i < kDistances; ++i) {
         progress.update(0.6 + 0.4 * i / kDistances);
         const double seconds = momentOf(look.span, i, kDistances);
-        const Eigen::Vector3d between =
-            pelvisAt(look, 1, seconds) - pelvisAt(look, 0, seconds);
+        const Eigen::Vector3d between = pelvisAt(look, 1, seconds) - pelvisAt(look, 0, seconds);
         look.distances.push_back(std::hypot(between.x(), between.z()));
     }
     return look;

@@ -251,12 +251,18 @@ void ImportPreview::keyPressEvent(QKeyEvent* event) {
     if (!look_) return QWidget::keyPressEvent(event);
     const double frame = 1.0 / look_->imported.take.fighters.front().rate;
     switch (event->key()) {
-        case Qt::Key_Space: return togglePlaying();
-        case Qt::Key_Left: return goTo(seconds_ - frame);
-        case Qt::Key_Right: return goTo(seconds_ + frame);
-        case Qt::Key_Home: return goTo(look_->span.begin);
-        case Qt::Key_End: return goTo(look_->span.end);
-        default: QWidget::keyPressEvent(event);
+        case Qt::Key_Space:
+            return togglePlaying();
+        case Qt::Key_Left:
+            return goTo(seconds_ - frame);
+        case Qt::Key_Right:
+            return goTo(seconds_ + frame);
+        case Qt::Key_Home:
+            return goTo(look_->span.begin);
+        case Qt::Key_End:
+            return goTo(look_->span.end);
+        default:
+            QWidget::keyPressEvent(event);
     }
 }
 
