@@ -122,13 +122,14 @@ TEST_F(RecoveryTest, DialogSaysWhatIsThereRecoversAndDiscards) {
     QFile file(Recovery::folder() + "/b.edit");
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     RecoveryDialog dialog({copy("a", 1), copy("b", 12)}, window_.get());
-    dialog.show();
-    QApplication::setActiveWindow(&dialog);
+    dialog.open();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
     auto* list = dialog.findChild<QTreeWidget*>();
     EXPECT_EQ(list->topLevelItem(0)->text(2), "1 edit");
     EXPECT_EQ(list->topLevelItem(1)->text(2), "12 edits");
     EXPECT_TRUE(list->topLevelItem(0)->text(1).startsWith("today"));
     QTest::keyClick(list, Qt::Key_Down);
+    QApplication::setActiveWindow(&dialog);
     QTest::keyClick(list, Qt::Key_Delete);
     EXPECT_FALSE(file.exists());
     EXPECT_EQ(list->topLevelItemCount(), 1);
