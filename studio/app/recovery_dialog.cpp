@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
@@ -54,7 +55,6 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryCopy> copies, QWidget* parent
     auto* buttons = new QHBoxLayout;
     auto* later = new QPushButton(tr("Later"), this);
     discard_->setToolTip(tr("Delete the chosen edits for good (Del)"));
-    discard_->setShortcut(QKeySequence(Qt::Key_Delete));
     recover_->setToolTip(tr("Open the chosen project with its unsaved edits (Enter)"));
     later->setToolTip(tr("Keep them and ask again at the next start (Esc)"));
     recover_->setProperty("role", "step");
@@ -70,6 +70,14 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryCopy> copies, QWidget* parent
     connect(discard_, &QPushButton::clicked, this, &RecoveryDialog::discard);
     connect(later, &QPushButton::clicked, this, &QDialog::reject);
     list_->setFocus();
+}
+
+void RecoveryDialog::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Delete) {
+        discard();
+    } else {
+        QDialog::keyPressEvent(event);
+    }
 }
 
 int RecoveryDialog::chosen() const {

@@ -22,6 +22,9 @@ public:
 Q_SIGNALS:
     void recoveryWanted(const RecoveryCopy& copy);
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     void recover();
     void discard();

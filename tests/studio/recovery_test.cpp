@@ -1,6 +1,5 @@
 #include "studio/app/recovery.h"
 
-#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QPushButton>
@@ -129,7 +128,6 @@ TEST_F(RecoveryTest, DialogSaysWhatIsThereRecoversAndDiscards) {
     EXPECT_EQ(list->topLevelItem(1)->text(2), "12 edits");
     EXPECT_TRUE(list->topLevelItem(0)->text(1).startsWith("today"));
     QTest::keyClick(list, Qt::Key_Down);
-    QApplication::setActiveWindow(&dialog);
     QTest::keyClick(list, Qt::Key_Delete);
     EXPECT_FALSE(file.exists());
     EXPECT_EQ(list->topLevelItemCount(), 1);

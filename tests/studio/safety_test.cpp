@@ -155,10 +155,10 @@ public:
     }
     /// Lines that it has told until there are `count`; fewer where it ends before.
     QStringList lines(int count) {
-        while (lines_.size() < count && waitForReadyRead(60000)) {
+        do {
             while (canReadLine())
                 lines_.append(QString::fromUtf8(readLine()).trimmed());
-        }
+        } while (lines_.size() < count && waitForReadyRead(60000));
         return lines_;
     }
 
