@@ -1,6 +1,7 @@
 #include "core/base/files.h"
 
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 
@@ -66,11 +67,15 @@ MappedFile::~MappedFile() {
     if (data_) ::munmap(const_cast<char*>(data_), size_);
 }
 
-void writeFileAtomically(const std::filesystem::path& path, std::string_view content) {
+void writeFileAtomically(const std::filesystem::path& path, std::string_view content,
+                         Outlives outlives) {
     // A link is followed: the file it points to is replaced, the link stays.
     std::filesystem::path target = path;
-    if (std::filesystem::is_symlink(path)) target = std::filesystem::weakly_canonical(path);
-    std::error_code unknown;
+    std::error_code unknown;  // what cannot be looked at fails below, with the system's reason
+    if (std::filesystem::is_symlink(path, unknown)) {
+        const auto pointedTo = std::filesystem::weakly_canonical(path, unknown);
+        if (!unknown) target = pointedTo;
+    }
     const auto kind = std::filesystem::status(target, unknown).type();
     if (kind == std::filesystem::file_type::directory) {
         throw Error(path.string() + ": is a folder, expected a file to write.");
@@ -82,8 +87,10 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
         if (file.number < 0 || !writeAll(file.number, content)) throw systemError("write", path);
         return;
     }
+    static std::atomic<int> number = 0;  // two threads may write into one folder
     const std::filesystem::path temporary =
-        target.parent_path() / (".kumite-" + std::to_string(::getpid()) + ".part");
+        target.parent_path() /
+        (".kumite-" + std::to_string(::getpid()) + "-" + std::to_string(++number) + ".part");
 
     const auto giveUp = [&](const std::string& what) {
         Error error = systemError(what, path);
@@ -96,9 +103,10 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
         struct stat old {};
         if (::stat(target.c_str(), &old) == 0) ::fchmod(file.number, old.st_mode & 0777);
         if (!writeAll(file.number, content)) throw giveUp("write");
-        if (::fsync(file.number) != 0) throw giveUp("write");
+        if (outlives == Outlives::PowerCut && ::fsync(file.number) != 0) throw giveUp("write");
     }
     if (::rename(temporary.c_str(), target.c_str()) != 0) throw giveUp("write");
+    if (outlives == Outlives::Program) return;
     // The rename itself must survive a power cut, too; where a folder cannot be synced, it is not.
     const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
     const Descriptor directory{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};

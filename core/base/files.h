@@ -24,10 +24,16 @@ private:
     std::size_t size_ = 0;
 };
 
+/// What a written file outlives: the end of the program at any instant, or a power cut too, for
+/// which the disk must be waited for.
+enum class Outlives { Program, PowerCut };
+
 /// Writes `content` so that a reader, or a crash at any moment, sees either the old file or the
 /// whole new one: a temporary file beside it, flushed to disk, renamed over it. A link is followed;
-/// what is no regular file (a pipe, /dev/stdout) is written straight. Throws Error.
-void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+/// what is no regular file (a pipe, /dev/stdout) is written straight. Throws Error; the old file is
+/// then as it was. Any thread.
+void writeFileAtomically(const std::filesystem::path& path, std::string_view content,
+                         Outlives outlives = Outlives::PowerCut);
 
 /// Throws Error if `output` is one of the files that are read: a result must never replace its
 /// source.

@@ -44,6 +44,7 @@ void addSegment(CLI::App& app, Action& action);
 void addCorrect(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
 void addRelink(CLI::App& app, Action& action);
+void addVersions(CLI::App& app, Action& action);
 
 /// A project with all that follows from it; findings are printed.
 struct OpenProject {

@@ -82,7 +82,7 @@ void addCorrect(CLI::App& app, Action& action) {
                 streams.out << "Nothing to change.\n";
                 return;
             }
-            saveProject(edit->project, o->project);
+            printFindings(saveProject(edit->project, o->project), streams);
             streams.out << edit->name << "\n";
         };
     });

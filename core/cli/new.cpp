@@ -30,11 +30,11 @@ Of the file before it:
   --floor METRES       height of the floor in the file; default: found
   --root NAME          which skeleton, where a file holds several (NAME, NAME#2 or #2)
   --asf FILE           skeleton of an .amc; default: the only one beside it
-  --role ROLE=JOINT    mends the role mapping, e.g. left_knee=LLowLeg
+  --role ROLE=JOINT    mends the role mapping, e.g. left_knee=LLowLeg; ROLE= for none
 Of the project:
   --body FILE          body model (JSON) instead of the male means of de Leva 1996
 
-A file that is there already is kept beside the new one, with ~ behind its name.
+A file that is there already is kept as a version; see kumite versions.
 Example: kumite new --out bout.kumite --take round1 red.bvh blue.bvh --rate 60 --trim 1:)";
 
 /// The words after `new`, read one by one: what an option belongs to depends on what stood
@@ -175,13 +175,6 @@ private:
     std::optional<std::string> inlineValue_;
 };
 
-void keepOldVersion(const std::string& path, const Streams& streams) {
-    if (!std::filesystem::exists(path)) return;
-    const std::string kept = path + "~";
-    writeFileAtomically(kept, MappedFile(path).bytes());
-    printFindings({note(path + " was there already; it is kept as " + kept + ".")}, streams);
-}
-
 }  // namespace
 
 void addNew(CLI::App& app, Action& action) {
@@ -206,8 +199,12 @@ void addNew(CLI::App& app, Action& action) {
                 edit = *addTake(edit.project, imported.take);
             }
             refuseToOverwrite(parser.out, recordingFiles(edit.project));
-            keepOldVersion(parser.out, streams);
-            saveProject(edit.project, parser.out);
+            if (std::filesystem::exists(parser.out)) {
+                printFindings({note(parser.out + " was there already; it is kept as a version (see "
+                                                 "kumite versions).")},
+                              streams);
+            }
+            printFindings(saveProject(edit.project, parser.out), streams);
             streams.out << parser.out << "\n";
         };
     });

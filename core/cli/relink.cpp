@@ -32,7 +32,7 @@ void addRelink(CLI::App& app, Action& action) {
                 referTo(recording, o->file, fighterAt(loaded.project, fighter).recording.root);
             const auto edit =
                 relinkRecording(loaded.project, fighter, ref, motionOfRoot(recording, ref.root));
-            if (edit) saveProject(edit->project, o->project);
+            if (edit) printFindings(saveProject(edit->project, o->project), streams);
             streams.out << (edit ? edit->name : "Nothing to change.") << "\n";
         };
     });

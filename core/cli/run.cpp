@@ -33,6 +33,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addCorrect(app, action);
     addExport(app, action);
     addRelink(app, action);
+    addVersions(app, action);
 
     try {
         const bool isWord = !arguments.empty() && !arguments.front().starts_with("-");

@@ -77,7 +77,7 @@ void addSegment(CLI::App& app, Action& action) {
             if (auto edit = setSegmentation(open.project, settings)) {
                 open.project = std::move(edit->project);
                 open.analysis = analyse(open.project, open.analysis);
-                if (o->save) saveProject(open.project, o->project);
+                if (o->save) printFindings(saveProject(open.project, o->project), streams);
             }
             printFindings(smoothingFindings(open.project, open.analysis), streams);
             if (o->json) {

@@ -56,6 +56,11 @@ MaybeEdit setBodyModel(const Project& project, const BodyModel& model) {
     return edit;
 }
 
+MaybeEdit restoreVersion(const Project& project, const Project& version, const std::string& when) {
+    if (version == project) return std::nullopt;
+    return Edit{version, "Restore the version of " + when};
+}
+
 MaybeEdit addTake(const Project& project, const Take& take) {
     if (take.name.empty()) throw Error("A take needs a name.");
     if (isTaken(project, take.name)) {

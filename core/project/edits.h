@@ -61,6 +61,9 @@ MaybeEdit setNote(const Project& project, const Analysis& analysis, FighterAddre
 MaybeEdit setSegmentation(const Project& project, const SegmentationSettings& settings);
 MaybeEdit setBodyModel(const Project& project, const BodyModel& model);
 
+/// Brings back a whole earlier state. `when` says which: "10:32".
+MaybeEdit restoreVersion(const Project& project, const Project& version, const std::string& when);
+
 // Takes.
 
 /// Adds a take; its name must be new and not empty, and it must have one or two fighters.

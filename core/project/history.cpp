@@ -43,6 +43,11 @@ void History::redo() {
     if (canRedo()) ++at_;
 }
 
+std::size_t History::editsSinceSaved() const {
+    if (saved_ == kNever) return at_;
+    return saved_ > at_ ? saved_ - at_ : at_ - saved_;
+}
+
 void History::goTo(std::size_t step) {
     assert(step < steps_.size());
     at_ = step;

@@ -42,6 +42,8 @@ public:
     /// Whether the current step is the one last saved.
     bool isSaved() const { return saved_ == at_; }
     void markSaved() { saved_ = at_; }
+    /// How many edits lie between what was last saved (or opened) and now.
+    std::size_t editsSinceSaved() const;
 
 private:
     static constexpr std::size_t kNever = static_cast<std::size_t>(-1);

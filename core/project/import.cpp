@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/project/json_text.h"
-#include "core/project/recordings.h"
 
 namespace kumite {
 namespace {
@@ -48,6 +47,10 @@ Candidate makeCandidate(const FighterRequest& request, const Recording& recordin
     fighter.rate = candidate.survey.rate;
     fighter.roles = candidate.survey.roles.roles;
     for (const auto& [role, name] : request.roles) {
+        if (name.empty()) {
+            fighter.roles.clear(role);
+            continue;
+        }
         fighter.roles.set(
             role, namedJoint(*fighter.motion->skeleton, name, request.path.filename().string()));
     }
@@ -106,7 +109,23 @@ RecordingRef referTo(const Recording& recording, const std::filesystem::path& pa
             recording.sha256, root};
 }
 
+std::vector<RecordingKey> recordingsOf(const TakeRequest& request) {
+    std::vector<RecordingKey> keys;
+    for (const FighterRequest& fighter : request.fighters) {
+        keys.push_back({fighter.path, fighter.asf.value_or(std::filesystem::path())});
+    }
+    return keys;
+}
+
 ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
+    const auto recordings = readRecordings(recordingsOf(request), progress.part(0.0, 0.9));
+    ImportedTake imported = makeTake(request, recordings);
+    progress.update(1.0);
+    return imported;
+}
+
+ImportedTake makeTake(const TakeRequest& request,
+                      const std::map<RecordingKey, ReadResult>& recordings) {
     if (request.fighters.empty() || request.fighters.size() > 2) {
         throw Error("A take is made of one or two recordings.");
     }
@@ -116,12 +135,7 @@ ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
     if (request.rate && !(*request.rate >= 1 && *request.rate <= 10000)) {
         throw Error("A frame rate lies between 1 and 10000 Hz.");
     }
-    std::vector<RecordingKey> keys;
-    for (const FighterRequest& fighter : request.fighters) {
-        keys.push_back({fighter.path, fighter.asf.value_or(std::filesystem::path())});
-    }
-    const auto recordings = readRecordings(keys, progress.part(0.0, 0.9));
-
+    const std::vector<RecordingKey> keys = recordingsOf(request);
     ImportedTake imported;
     imported.take.name =
         request.name.empty() ? request.fighters.front().path.stem().string() : request.name;
@@ -144,9 +158,10 @@ ImportedTake importTake(const TakeRequest& request, const Progress& progress) {
             warning(fmt::format("The recordings run at {:g} and {:g} Hz; each keeps its own rate.",
                                 candidates[0].fighter.rate, candidates[1].fighter.rate)));
     }
-    for (Candidate& c : candidates)
+    for (Candidate& c : candidates) {
         imported.take.fighters.push_back(std::move(c.fighter));
-    progress.update(1.0);
+        imported.surveys.push_back(std::move(c.survey));
+    }
     return imported;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/formats/recording.h"
 #include "core/motion/survey.h"
 #include "core/project/project.h"
+#include "core/project/recordings.h"
 
 namespace kumite {
 
@@ -23,7 +25,8 @@ struct FighterRequest {
     double offset = 0;  ///< seconds
     Placement placement;
     std::optional<double> floor;
-    std::vector<std::pair<Role, std::string>> roles;  ///< role → joint name, mends the mapping
+    /// Role → joint name, mends the mapping; an empty name: the skeleton has no such joint.
+    std::vector<std::pair<Role, std::string>> roles;
 };
 
 struct TakeRequest {
@@ -43,11 +46,18 @@ RecordingRef referTo(const Recording& recording, const std::filesystem::path& pa
 /// A take made of recordings, and what was found on the way (each text names its file).
 struct ImportedTake {
     Take take;
+    std::vector<Survey> surveys;  ///< of each fighter's whole recording
     Findings findings;
 };
+
+/// What has to be read for a request, in the order of its fighters.
+std::vector<RecordingKey> recordingsOf(const TakeRequest& request);
 
 /// Reads the files of a request and makes a take of them. Two files of equal length are taken as
 /// recorded together: if either starts with a T-pose, both lose those frames. Throws Error.
 ImportedTake importTake(const TakeRequest& request, const Progress& progress = {});
+/// The same from recordings that were read before.
+ImportedTake makeTake(const TakeRequest& request,
+                      const std::map<RecordingKey, ReadResult>& recordings);
 
 }  // namespace kumite

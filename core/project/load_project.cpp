@@ -131,28 +131,51 @@ void attach(Fighter& fighter, const ReadResult& read, Findings& findings) {
     fighter.roleNames.clear();
 }
 
+/// The motion of a recording that another project has in memory; null: none has.
+std::shared_ptr<const Motion> motionKnown(const Project& known, const RecordingRef& recording) {
+    for (const Take& take : known.takes) {
+        for (const Fighter& fighter : take.fighters) {
+            if (fighter.motion && fighter.recording == recording) return fighter.motion;
+        }
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 LoadedProject loadProject(const std::filesystem::path& path, const Progress& progress) {
     const auto folder = std::filesystem::weakly_canonical(path).parent_path();
-    LoadedProject loaded;
+    Project project;
     {
         const MappedFile file(path);
-        loaded.project = parseProject(file.bytes(), path.string(), folder);
+        project = parseProject(file.bytes(), path.string(), folder);
     }
+    return loadRecordings(std::move(project), folder, {}, progress);
+}
+
+LoadedProject loadRecordings(Project project, const std::filesystem::path& folder,
+                             const Project& known, const Progress& progress) {
+    LoadedProject loaded;
+    loaded.project = std::move(project);
     std::vector<RecordingKey> keys;
+    std::vector<Fighter*> waiting;
     for (Take& take : loaded.project.takes) {
         for (Fighter& fighter : take.fighters) {
+            fighter.motion = motionKnown(known, fighter.recording);
+            if (fighter.motion) {
+                matchRolesByName(fighter, loaded.findings);
+                fighter.roleNames.clear();
+                continue;
+            }
             locate(fighter.recording, folder, loaded.findings);
             keys.push_back({fighter.recording.path, fighter.recording.asf});
+            waiting.push_back(&fighter);
         }
     }
     const auto recordings = readRecordings(keys, progress);
-    for (Take& take : loaded.project.takes) {
-        for (Fighter& fighter : take.fighters) {
-            attach(fighter, recordings.at({fighter.recording.path, fighter.recording.asf}),
-                   loaded.findings);
-        }
+    for (Fighter* fighter : waiting) {
+        attach(*fighter, recordings.at({fighter->recording.path, fighter->recording.asf}),
+               loaded.findings);
     }
     return loaded;
 }

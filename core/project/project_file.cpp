@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/project/json_text.h"
+#include "core/project/versions.h"
 
 namespace kumite {
 namespace {
@@ -316,10 +317,21 @@ BodyModel parseBodyModel(std::string_view text, const std::string& name) {
     return bodyModelFrom({json, name, ""});
 }
 
-void saveProject(const Project& project, const std::filesystem::path& path) {
+Findings saveProject(const Project& project, const std::filesystem::path& path) {
     // Where links lead: relative paths must mean the same from every way in.
-    const auto folder = std::filesystem::weakly_canonical(path).parent_path();
-    writeFileAtomically(path, projectText(project, folder));
+    std::error_code refused;
+    const auto folder = std::filesystem::weakly_canonical(path, refused).parent_path();
+    if (refused) throw Error(path.string() + ": cannot write: " + refused.message() + ".");
+    const std::string text = projectText(project, folder);
+    Findings findings;
+    try {
+        keepVersion(path, text);
+    } catch (const std::exception& error) {
+        findings.push_back(
+            warning(std::string("What was saved before could not be kept. ") + error.what()));
+    }
+    writeFileAtomically(path, text);
+    return findings;
 }
 
 }  // namespace kumite

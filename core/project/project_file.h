@@ -31,13 +31,20 @@ struct LoadedProject {
 };
 LoadedProject loadProject(const std::filesystem::path& path, const Progress& progress = {});
 
+/// The same for a project without motions whose file belongs into `folder`. Recordings that `known`
+/// has in memory are taken from there.
+LoadedProject loadRecordings(Project project, const std::filesystem::path& folder,
+                             const Project& known = {}, const Progress& progress = {});
+
 /// A body model from a file of its own: the value of "body_model" in a project file. Throws
 /// InputError.
 BodyModel readBodyModel(const std::filesystem::path& path);
 /// The same from text; `name` is used in messages.
 BodyModel parseBodyModel(std::string_view text, const std::string& name);
 
-/// Saves atomically.
-void saveProject(const Project& project, const std::filesystem::path& path);
+/// Saves atomically. What the file held before is kept as a version (versions.h); where that
+/// fails, the project is saved nevertheless and a warning says so. Throws Error; the file is then
+/// as it was.
+Findings saveProject(const Project& project, const std::filesystem::path& path);
 
 }  // namespace kumite

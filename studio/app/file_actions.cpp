@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -12,10 +13,12 @@
 #include "core/project/export.h"
 #include "core/project/import.h"
 #include "core/project/project_file.h"
-#include "studio/app/import_dialog.h"
+#include "studio/app/import/import_dialog.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
+#include "studio/app/project_guard.h"
 #include "studio/app/recent_files.h"
+#include "studio/app/recovery.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 
@@ -34,7 +37,8 @@ QStringList filesOf(const TakeRequest& request) {
 
 FileActions::FileActions(Session& session, MessageStrip& strip, QWidget* window)
     : QObject(window), session_(session), strip_(strip), window_(window) {
-    connect(&jobs_, &JobRunner::failed, &strip_, &MessageStrip::showError);
+    for (JobRunner* runner : {&jobs_, &writing_})
+        connect(runner, &JobRunner::failed, &strip_, &MessageStrip::showError);
 }
 
 QString FileActions::startFolder() const {
@@ -53,15 +57,10 @@ QString FileActions::startFolder() const {
 void FileActions::open(const QStringList& files) {
     if (files.isEmpty()) return;
     const bool anyProject = std::any_of(files.begin(), files.end(), isProjectFile);
-    if (anyProject && files.size() > 1) {
-        strip_.showError(
-            tr("A project opens alone: choose one .kumite file, or one or two "
-               "recordings."));
+    if (files.size() > (anyProject ? 1 : 2)) {
+        refuseFiles(files, anyProject);
     } else if (anyProject) {
         if (mayLeave()) openProjectFile(files.front());
-    } else if (files.size() > 2) {
-        strip_.showError(tr("A take has one or two fighters: choose one or two recordings, not %1.")
-                             .arg(files.size()));
     } else if (session_.document().isOpen()) {
         showImportDialog(files);
     } else {
@@ -69,14 +68,54 @@ void FileActions::open(const QStringList& files) {
     }
 }
 
+void FileActions::openDropped(const QStringList& files) {
+    const bool anyProject = std::any_of(files.begin(), files.end(), isProjectFile);
+    if (anyProject || files.isEmpty() || files.size() > 2) {
+        open(files);
+    } else {
+        showImportDialog(files);
+    }
+}
+
+void FileActions::refuseFiles(const QStringList& files, bool anyProject) {
+    strip_.showError(
+        anyProject ? tr("A project opens alone: choose one .kumite file, or one or two recordings.")
+                   : tr("A take has one or two fighters: choose one or two recordings, not %1.")
+                         .arg(files.size()));
+}
+
 void FileActions::openProjectFile(const QString& path) {
     const QString absolute = QFileInfo(path).absoluteFilePath();
+    const bool isOpenHere = lock_ && session_.document().path() == absolute;
+    auto lock = isOpenHere ? lock_ : std::make_shared<ProjectLock>(absolute);
+    bool asCopy = false;
+    if (lock->holder()) {
+        QMessageBox box(QMessageBox::Question, tr("Open elsewhere"),
+                        tr("%1 is open in another studio.").arg(QFileInfo(path).fileName()),
+                        QMessageBox::Cancel, window_);
+        box.setInformativeText(holderText(*lock->holder()) + QLatin1Char('\n') +
+                               tr("A copy can be changed and saved under another name. Taking "
+                                  "over, you save into this file, and so may the other."));
+        QAbstractButton* copy = box.addButton(tr("Open a copy"), QMessageBox::AcceptRole);
+        QAbstractButton* take = box.addButton(tr("Take over"), QMessageBox::DestructiveRole);
+        box.setDefaultButton(static_cast<QPushButton*>(copy));
+        box.exec();
+        asCopy = box.clickedButton() == copy;
+        if (box.clickedButton() == take) {
+            lock->takeOver();
+        } else if (!asCopy) {
+            return;
+        }
+    }
     jobs_.start(
         tr("Opening %1").arg(QFileInfo(path).fileName()),
         [absolute](const Progress& progress) { return openProject(absolute, progress); },
-        [this, absolute](OpenedProject project) {
+        [this, absolute, asCopy, lock](OpenedProject project) {
+            lock_ = asCopy ? nullptr : lock;
+            onDisk_ = asCopy ? std::string() : project.fingerprint;
             session_.document().open(History(std::move(project.project)),
-                                     std::move(project.analysis), absolute, false);
+                                     std::move(project.analysis), asCopy ? QString() : absolute,
+                                     asCopy);
             strip_.dismiss();
             strip_.showFindings(tr("Found in %1").arg(QFileInfo(absolute).fileName()),
                                 project.findings);
@@ -84,23 +123,31 @@ void FileActions::openProjectFile(const QString& path) {
         });
 }
 
-void FileActions::openRecovered(const QString& copy, const QString& original) {
+void FileActions::openRecovered(const RecoveryCopy& copy) {
     jobs_.start(
-        tr("Recovering"), [copy](const Progress& progress) { return openProject(copy, progress); },
-        [this, original](OpenedProject project) {
+        tr("Recovering %1").arg(copy.name),
+        [copy](const Progress& progress) { return openCopy(copy, progress); },
+        [this, copy](OpenedProject project) {
+            // What its file holds now is not known to be what was edited: saving asks.
+            lock_.reset();
+            onDisk_.clear();
             session_.document().open(History(std::move(project.project), "Recover"),
-                                     std::move(project.analysis), original, true);
+                                     std::move(project.analysis), copy.original, true);
             strip_.showFindings(tr("Found while recovering"), project.findings);
-            Q_EMIT recovered();
+            Q_EMIT recovered(copy);
         });
 }
 
-void FileActions::openBout(const TakeRequest& request, bool unsaved) {
+void FileActions::openBout(const TakeRequest& request, bool unsaved, const Recordings& known) {
     const QStringList files = filesOf(request);
     jobs_.start(
         tr("Reading %1").arg(recentText(files)),
-        [request](const Progress& progress) { return openRecordings(request, progress); },
+        [request, known](const Progress& progress) {
+            return openRecordings(request, known, progress);
+        },
         [this, files, unsaved](OpenedProject project) {
+            lock_.reset();
+            onDisk_.clear();
             session_.document().open(History(std::move(project.project)),
                                      std::move(project.analysis), {}, unsaved);
             strip_.dismiss();
@@ -109,10 +156,10 @@ void FileActions::openBout(const TakeRequest& request, bool unsaved) {
         });
 }
 
-void FileActions::addBout(const TakeRequest& request) {
+void FileActions::addBout(const TakeRequest& request, const Recordings& known) {
     jobs_.start(
         tr("Reading %1").arg(recentText(filesOf(request))),
-        [request](const Progress& progress) { return importTake(request, progress); },
+        [request, known](const Progress& progress) { return readTake(request, known, progress); },
         [this](ImportedTake imported) {
             const bool added = session_.document().apply(
                 [&imported](const Project& project) { return addTake(project, imported.take); });
@@ -136,14 +183,18 @@ void FileActions::askForRecordings() {
 }
 
 void FileActions::showImportDialog(const QStringList& files) {
-    ImportDialog dialog(
-        files, session_.document().isOpen() ? session_.document().name() : QString(), window_);
-    if (dialog.exec() != QDialog::Accepted) return;
-    if (dialog.addsToProject()) {
-        addBout(dialog.request());
-    } else if (mayLeave()) {
-        openBout(dialog.request(), true);
-    }
+    const Document& document = session_.document();
+    auto* dialog =
+        new ImportDialog(files, document.isOpen() ? document.name() : QString(), window_);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] {
+        if (dialog->addsToProject()) {
+            addBout(dialog->request(), dialog->recordings());
+        } else if (mayLeave()) {
+            openBout(dialog->request(), true, dialog->recordings());
+        }
+    });
+    dialog->open();
 }
 
 void FileActions::askForProject() {
@@ -182,78 +233,6 @@ void FileActions::askForMissingRecording() {
             });
         return;
     }
-}
-
-bool FileActions::save() {
-    const QString path = session_.document().path();
-    return path.isEmpty() ? saveAs() : saveTo(path);
-}
-
-bool FileActions::saveAs() {
-    const Document& document = session_.document();
-    QString suggestion = document.path();
-    if (suggestion.isEmpty()) {
-        suggestion = startFolder() + QLatin1Char('/') + document.name() + QStringLiteral(".kumite");
-    }
-    QString path = QFileDialog::getSaveFileName(window_, tr("Save the project"), suggestion,
-                                                tr("Kumite projects (*.kumite)"));
-    if (path.isEmpty()) return false;
-    if (!isProjectFile(path)) path += QStringLiteral(".kumite");
-    return saveTo(path);
-}
-
-bool FileActions::saveTo(const QString& path) {
-    try {
-        saveProject(session_.document().project(), toPath(path));
-    } catch (const std::exception& error) {
-        strip_.showError(QString::fromUtf8(error.what()));
-        return false;
-    }
-    session_.document().markSaved(QFileInfo(path).absoluteFilePath());
-    rememberFiles({path});
-    Q_EMIT reported(tr("Saved %1.").arg(QFileInfo(path).fileName()));
-    return true;
-}
-
-void FileActions::askForExport() {
-    const auto& take =
-        session_.document().project().takes[static_cast<std::size_t>(session_.take())];
-    const QString suggestion = startFolder() + QLatin1Char('/') +
-                               QString::fromStdString(take.name) + QStringLiteral(".csv");
-    const QString path =
-        QFileDialog::getSaveFileName(window_, tr("Export the actions of this take"), suggestion,
-                                     tr("Table of actions (*.csv);;Segmentation (*.json);;Motion, "
-                                        "one file per fighter (*.bvh)"));
-    if (!path.isEmpty()) exportTo(path);
-}
-
-bool FileActions::exportTo(const QString& path) {
-    QStringList written;
-    try {
-        Document& document = session_.document();
-        document.bringUpToDate();
-        for (const auto& file :
-             exportTake(document.project(), document.analysis(), session_.take(), toPath(path))) {
-            written.append(QFileInfo(fromPath(file)).fileName());
-        }
-    } catch (const std::exception& error) {
-        strip_.showError(QString::fromUtf8(error.what()));
-        return false;
-    }
-    Q_EMIT reported(tr("Exported %1.").arg(written.join(tr(" and "))));
-    return true;
-}
-
-bool FileActions::mayLeave() {
-    if (!session_.document().isModified()) return true;
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
-                    tr("Save the changes to %1?").arg(session_.document().name()),
-                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
-    box.setInformativeText(tr("What is not saved is lost."));
-    box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
-    if (answer == QMessageBox::Save) return save();
-    return answer == QMessageBox::Discard;
 }
 
 }  // namespace kumite::studio

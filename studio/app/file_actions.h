@@ -3,7 +3,12 @@
 #include <QObject>
 #include <QStringList>
 
+#include <memory>
+#include <optional>
+
 #include "core/project/import.h"
+#include "core/project/versions.h"
+#include "studio/app/opening.h"
 #include "studio/jobs/job_runner.h"
 
 class QWidget;
@@ -11,6 +16,7 @@ class QWidget;
 namespace kumite::studio {
 
 class MessageStrip;
+class ProjectLock;
 class Session;
 
 /// Opening, saving and exporting, with the questions that belong to them.
@@ -20,17 +26,23 @@ class FileActions : public QObject {
 public:
     FileActions(Session& session, MessageStrip& strip, QWidget* window);
 
+    /// Reading, and writing.
     JobRunner& jobs() { return jobs_; }
+    JobRunner& writing() { return writing_; }
+    bool isBusy() const { return jobs_.isRunning() || writing_.isRunning(); }
 
-    /// Opens what was dropped, named on the command line or chosen: a project, or one or two
-    /// recordings. Where a bout is open, recordings go through the import dialog.
+    /// Opens what was named on the command line or chosen: a project, or one or two recordings.
+    /// Where a bout is open, recordings go through the import dialog.
     void open(const QStringList& files);
+    /// The same for files that were dropped: recordings always go through the import dialog.
+    void openDropped(const QStringList& files);
+    /// Where another studio has the project open, asks what to do.
     void openProjectFile(const QString& path);
     /// A new project of one take. `unsaved`: its settings were made by hand.
-    void openBout(const TakeRequest& request, bool unsaved);
+    void openBout(const TakeRequest& request, bool unsaved, const Recordings& known = {});
     /// Adds a take to the open project.
-    void addBout(const TakeRequest& request);
-    void openRecovered(const QString& copy, const QString& original);
+    void addBout(const TakeRequest& request, const Recordings& known = {});
+    void openRecovered(const RecoveryCopy& copy);
 
     void askForRecordings();
     void askForProject();
@@ -40,9 +52,13 @@ public:
 
     bool save();
     bool saveAs();
+    /// Writes beside the window and waits for it; false: not saved, and said why.
     bool saveTo(const QString& path);
     void askForExport();
-    bool exportTo(const QString& path);
+    /// Writes beside the window; `reported` tells the end.
+    void exportTo(const QString& path);
+    /// Lists the states of the project that were saved over.
+    void showVersions();
 
     /// Asks what to do with unsaved changes; false: stay.
     bool mayLeave();
@@ -51,17 +67,28 @@ Q_SIGNALS:
     /// A bout was opened from these files.
     void opened(const QStringList& files);
     /// The project of a recovery copy is open.
-    void recovered();
+    void recovered(const RecoveryCopy& copy);
     /// What was done, for the status line.
     void reported(const QString& text);
 
 private:
+    struct Saved;
+
     QString startFolder() const;
+    void refuseFiles(const QStringList& files, bool anyProject);
+    void restore(const KeptVersion& version);
+    void openVersion(const KeptVersion& version);
+    bool mayTakeOver(ProjectLock& lock, const QString& path);
+    bool mayReplace(const QString& path);
+    std::optional<Saved> write(const QString& path, bool whateverIsThere);
 
     Session& session_;
     MessageStrip& strip_;
     QWidget* window_;
     JobRunner jobs_;
+    JobRunner writing_;
+    std::shared_ptr<ProjectLock> lock_;  ///< of the open project; null: it has no file
+    std::string onDisk_;                 ///< what its file held when it was last read or written
 };
 
 }  // namespace kumite::studio

@@ -1,7 +1,5 @@
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QMessageBox>
-#include <QPushButton>
 #include <QSettings>
 
 #include <cstdio>
@@ -13,9 +11,12 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/icons.h"
 #include "studio/app/main_window.h"
+#include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
 #include "studio/app/picture.h"
 #include "studio/app/recovery.h"
+#include "studio/app/recovery_dialog.h"
+#include "studio/app/script.h"
 
 namespace {
 
@@ -26,11 +27,11 @@ using namespace kumite::studio;
 struct Wishes {
     QStringList files;
     QString picture;
+    QStringList script;  ///< lines of one
     QSize size;
     std::optional<ThemeChoice> theme;
     std::optional<double> time;
     std::optional<double> rate;
-    QString command;
 };
 
 [[noreturn]] void refuse(const QString& sentence) {
@@ -58,14 +59,21 @@ Wishes readCommandLine(const QApplication& application) {
          {"theme", "dark or light; otherwise as the system.", "THEME"},
          {"time", "Moment that is shown first, seconds.", "S"},
          {"rate", "Frame rate of the recordings, where their headers are wrong.", "HZ"},
-         {"run", "Run a command once everything is open, such as help.keys.", "COMMAND"}});
+         {"run", "Run a command once everything is open, such as help.keys; may be given again.",
+          "COMMAND"},
+         {"script", "Run the commands of a file, one a line; see studio/app/script.h.", "FILE"}});
     parser.process(application);
     Wishes wishes;
     wishes.files = parser.positionalArguments();
     wishes.picture = parser.value("picture");
+    if (parser.isSet("script")) {
+        const auto lines = scriptLines(parser.value("script"));
+        if (!lines) refuse(QStringLiteral("%1 cannot be read.").arg(parser.value("script")));
+        wishes.script = *lines;
+    }
+    wishes.script += parser.values("run");
     wishes.time = numberOption(parser, "time");
     wishes.rate = numberOption(parser, "rate");
-    wishes.command = parser.value("run");
     const QString theme = parser.value("theme");
     if (theme == "dark")
         wishes.theme = ThemeChoice::Dark;
@@ -91,30 +99,21 @@ void openFiles(MainWindow& window, const Wishes& wishes) {
     }
 }
 
+/// Asks what to do with what an unexpected end left behind, if anything is there.
 void offerRecovery(MainWindow& window, Recovery& recovery) {
-    const auto copy = Recovery::leftBehind();
-    if (!copy) return;
-    const QString edits =
-        copy->edits == 1 ? MainWindow::tr("1 edit") : MainWindow::tr("%1 edits").arg(copy->edits);
-    QMessageBox box(QMessageBox::Question, MainWindow::tr("Recovery"),
-                    MainWindow::tr("Kumite closed unexpectedly. Recover %1 with %2 from %3?")
-                        .arg(copy->name, edits, copy->time.toString("hh:mm")),
-                    QMessageBox::NoButton, &window);
-    QAbstractButton* recover = box.addButton(MainWindow::tr("Recover"), QMessageBox::AcceptRole);
-    QAbstractButton* discard =
-        box.addButton(MainWindow::tr("Discard"), QMessageBox::DestructiveRole);
-    box.addButton(MainWindow::tr("Later"), QMessageBox::RejectRole);
-    box.exec();
-    if (box.clickedButton() == recover) {
-        // The old copy goes only once this run has one of its own.
-        QObject::connect(&window.files(), &FileActions::recovered, &recovery,
-                         [&recovery, copy = *copy] {
-                             recovery.writeCopy();
-                             Recovery::discard(copy);
-                         });
-        window.files().openRecovered(copy->file, copy->original);
-    }
-    if (box.clickedButton() == discard) Recovery::discard(*copy);
+    auto copies = Recovery::leftBehind();
+    if (copies.empty()) return;
+    // The old copy goes only once this run has one of its own, which the opening makes.
+    QObject::connect(&window.files(), &FileActions::recovered, &recovery,
+                     [&recovery](const RecoveryCopy& copy) {
+                         recovery.countOn(copy.edits);
+                         Recovery::discard(copy);
+                     });
+    auto* dialog = new RecoveryDialog(std::move(copies), &window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &RecoveryDialog::recoveryWanted, &window.files(),
+                     &FileActions::openRecovered);
+    dialog->open();
 }
 
 }  // namespace
@@ -140,27 +139,25 @@ int main(int argc, char** argv) {
     applyTheme(wishes.theme.value_or(Preferences().values().theme));
     MainWindow window;
     if (wishes.theme) window.setTheme(*wishes.theme);
-    if (!wishes.command.isEmpty() && window.commands().find(wishes.command) == nullptr) {
-        refuse(QStringLiteral("there is no command %1.").arg(wishes.command));
-    }
     if (!wishes.size.isEmpty()) window.resize(wishes.size);
     window.show();
     openFiles(window, wishes);
-    if (!wishes.command.isEmpty()) {
-        waitWhileBusy(window);
-        window.commands().run(wishes.command);
-    }
-    if (picture) return takePicture(window, wishes.picture, wishes.time) ? 0 : 1;
-    if (wishes.time) {
-        waitWhileBusy(window);
-        window.session().transport().setPlayhead(*wishes.time);
+    if (picture) {
+        if (!runScript(window, wishes.script)) return 1;
+        return takePicture(window, wishes.picture, wishes.time) ? 0 : 1;
     }
     Recovery recovery(window.session());
+    QObject::connect(&recovery, &Recovery::failed, &window.messages(), &MessageStrip::showError);
     const auto setInterval = [&] {
         recovery.setInterval(window.preferences().values().autosaveSeconds);
     };
     setInterval();
     QObject::connect(&window.preferences(), &Preferences::changed, &recovery, setInterval);
-    if (wishes.files.isEmpty()) offerRecovery(window, recovery);
+    if (wishes.time) {
+        waitWhileBusy(window);
+        window.session().transport().setPlayhead(*wishes.time);
+    }
+    offerRecovery(window, recovery);
+    if (!runScript(window, wishes.script)) return 1;
     return QApplication::exec();
 }

@@ -145,6 +145,7 @@ void MainWindow::layOut() {
     statusBar()->addPermanentWidget(findingsButton_);
     auto* jobs = new JobBar(this);
     jobs->watch(files_->jobs());
+    jobs->watch(files_->writing());
     jobs->watch(session_.document().jobs());
     statusBar()->addPermanentWidget(jobs);
 }
@@ -188,7 +189,7 @@ void MainWindow::listen() {
 }
 
 bool MainWindow::isBusy() const {
-    return files_->jobs().isRunning() || !session_.document().isCurrent();
+    return files_->isBusy() || !session_.document().isCurrent();
 }
 
 void MainWindow::shareSpace() {
@@ -249,7 +250,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     if (files.isEmpty()) return;
     event->acceptProposedAction();
     // Questions may follow: not while the other program still waits for the drop to end.
-    QTimer::singleShot(0, this, [this, files] { files_->open(files); });
+    QTimer::singleShot(0, this, [this, files] { files_->openDropped(files); });
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {

@@ -57,6 +57,12 @@ void MainWindow::addFileCommands() {
                     {QKeySequence("Ctrl+Shift+S")},
                     [this] { files_->saveAs(); },
                     open});
+    commands_->add({"file.versions",
+                    menu,
+                    tr("&Versions…"),
+                    {},
+                    [this] { files_->showVersions(); },
+                    [this] { return !session_.document().path().isEmpty(); }});
     commands_->add({"file.export",
                     grouped(menu),
                     tr("&Export actions…"),

@@ -12,8 +12,6 @@
 
 namespace kumite::studio {
 
-namespace {
-
 void letWork(int milliseconds) {
     QElapsedTimer clock;
     clock.start();
@@ -22,8 +20,6 @@ void letWork(int milliseconds) {
         QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
     }
 }
-
-}  // namespace
 
 void waitWhileBusy(const MainWindow& window) {
     while (window.isBusy())

@@ -13,6 +13,8 @@ class MainWindow;
 /// where that fails.
 bool takePicture(MainWindow& window, const QString& file, std::optional<double> seconds);
 
+/// Lets the window work for a while.
+void letWork(int milliseconds);
 /// Lets the window work until nothing is being read or computed.
 void waitWhileBusy(const MainWindow& window);
 

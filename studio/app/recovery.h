@@ -6,7 +6,10 @@
 #include <QTimer>
 
 #include <memory>
-#include <optional>
+#include <vector>
+
+#include "core/project/project.h"
+#include "studio/jobs/job_runner.h"
 
 namespace kumite::studio {
 
@@ -14,40 +17,60 @@ class Session;
 
 /// A copy that a run of the studio left behind without saying goodbye.
 struct RecoveryCopy {
-    QString file;      ///< the copy itself, a project file
+    QString base;      ///< path of its files without their suffixes
     QString original;  ///< the project that it is of; empty: it was never saved
     QString name;
-    QDateTime time;
-    int edits = 0;
+    QDateTime time;      ///< of the last edit in it
+    int edits = 0;       ///< since the project was saved
+    QByteArray project;  ///< text of the project file
 };
 
-/// Every 30 s writes a copy of a modified project to a folder of the user's data; takes it away
-/// when the project is saved or closed. A running studio holds a lock on its own copy.
+/// Keeps a copy of a modified project in a folder of the user's data, so that at most the act in
+/// progress is lost however the program ends:
+/// - after every edit, before the next is possible, a copy that outlives the program (`.edit`);
+/// - every 30 s and after 20 edits, beside the window, one that outlives a power cut (`.kumite`).
+/// Saving or closing takes them away. A running studio holds a lock on its own copies.
 class Recovery : public QObject {
     Q_OBJECT
 
 public:
     explicit Recovery(Session& session, QObject* parent = nullptr);
-    /// A clean end: removes the copy.
+    /// A clean end: removes the copies.
     ~Recovery() override;
 
-    /// The newest copy of a studio that is not running any more.
-    static std::optional<RecoveryCopy> leftBehind();
+    /// Copies of studios that are not running any more, the newest first. The newer of the two
+    /// files counts that can be read.
+    static std::vector<RecoveryCopy> leftBehind();
     static void discard(const RecoveryCopy& copy);
     static QString folder();
 
-    /// How long changes wait for the next copy; 30 at first.
+    /// How long changes wait for the next autosave.
     void setInterval(int seconds) { timer_.setInterval(seconds * 1000); }
-    /// Writes the copy if something changed since the last one.
-    void writeCopy();
-    void removeCopy();
+    /// Edits that the open project had before it was recovered: they count as not saved.
+    void countOn(int edits) { before_ = edits; }
+    /// Writes the copy that outlives a power cut, if something changed since the last one.
+    void autosave();
+
+Q_SIGNALS:
+    /// The copy cannot be written; said once until it can be again.
+    void failed(const QString& sentence);
 
 private:
+    void projectChanged();
+    void removeCopies();
+    QByteArray copyText() const;
+    void report(const QString& sentence);
+
     Session& session_;
-    QString base_;  ///< path of the copy without suffix
+    QString base_;
     std::unique_ptr<QLockFile> lock_;
     QTimer timer_;
-    bool dirty_ = false;
+    JobRunner writing_;
+    Project copied_;        ///< what `.edit` holds
+    bool hasCopy_ = false;  ///< whether it holds anything
+    int sinceAutosave_ = 0;
+    int before_ = 0;
+    bool reported_ = false;
 };
 
 }  // namespace kumite::studio

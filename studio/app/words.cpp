@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "studio/app/project_guard.h"
+
 namespace kumite::studio {
 
 namespace {
@@ -113,6 +115,31 @@ QString correctionWords(const Correction& correction, const Fighter& fighter) {
 
 QString fighterText(int player) {
     return QCoreApplication::translate("kumite", "fighter %1").arg(player + 1);
+}
+
+QString momentText(const QDateTime& moment, bool seconds) {
+    const QString time =
+        moment.time().toString(seconds ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm"));
+    const QDate today = QDate::currentDate();
+    if (moment.date() == today) {
+        return QCoreApplication::translate("words", "today %1").arg(time);
+    }
+    if (moment.date() == today.addDays(-1)) {
+        return QCoreApplication::translate("words", "yesterday %1").arg(time);
+    }
+    return moment.date().toString(Qt::ISODate) + QLatin1Char(' ') + time;
+}
+
+QString holderText(const LockHolder& holder) {
+    return QCoreApplication::translate("words", "Computer %1, process %2, since %3.")
+        .arg(holder.host)
+        .arg(holder.process)
+        .arg(momentText(holder.since));
+}
+
+QString editsText(int edits) {
+    return edits == 1 ? QCoreApplication::translate("words", "1 edit")
+                      : QCoreApplication::translate("words", "%1 edits").arg(edits);
 }
 
 }  // namespace kumite::studio

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <QDateTime>
 #include <QString>
 
 #include "core/project/review.h"
 #include "studio/app/boundary_marks.h"
 
 namespace kumite::studio {
+
+struct LockHolder;
 
 /// How numbers and names read everywhere in the window; independent of the locale.
 
@@ -19,6 +22,13 @@ QString bodyWeightsText(double bodyWeights);
 QString percentText(double share);
 /// 0 → "fighter 1".
 QString fighterText(int player);
+/// "today 10:32", "yesterday 18:04", "2008-01-31 17:45"; with seconds where they tell moments
+/// apart.
+QString momentText(const QDateTime& moment, bool seconds = false);
+/// "Computer dojo, process 4711, since today 10:32."
+QString holderText(const LockHolder& holder);
+/// 1 → "1 edit", 3 → "3 edits".
+QString editsText(int edits);
 
 /// Why a minimum is suspected: "slow left kick, prominence 0.07 BW".
 QString reasonText(const SuspectReason& reason);

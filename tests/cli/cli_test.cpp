@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/formats/bvh.h"
+#include "core/project/versions.h"
 #include "tests/support/builders.h"
 #include "tests/support/fixtures.h"
 
@@ -255,7 +256,33 @@ TEST_F(Cli, NewKeepsAProjectThatIsThere) {
     const Result again = kumite({"new", "--out", project, "--take", "other", red});
     EXPECT_EQ(again.code, 0);
     EXPECT_NE(again.err.find("kept as"), std::string::npos);
-    EXPECT_EQ(test::readText(project + "~"), old);
+    const auto kept = keptVersions(project);
+    ASSERT_FALSE(kept.empty());
+    EXPECT_EQ(test::readText(kept.front().file), old);
+}
+
+TEST_F(Cli, VersionsAreListedAndRestored) {
+    makeProject();
+    const std::string first = test::readText(project);
+    EXPECT_NE(kumite({"versions", project}).out.find("No earlier version"), std::string::npos);
+    ASSERT_EQ(kumite({"correct", project, "--add", "200"}).code, 0);
+    ASSERT_EQ(kumite({"correct", project, "--add", "100"}).code, 0);
+    const std::string last = test::readText(project);
+    const auto list = nlohmann::json::parse(kumite({"versions", project, "--json"}).out);
+    ASSERT_EQ(list["versions"].size(), 2u);
+    EXPECT_EQ(list["versions"][0]["corrections"], 1);
+    EXPECT_EQ(list["versions"][1]["corrections"], 0);
+    EXPECT_EQ(kumite({"versions", project, "--restore", "3"}).code, 1);
+    ASSERT_EQ(kumite({"versions", project, "--restore", "2"}).code, 0);
+    EXPECT_EQ(test::readText(project), first);
+    EXPECT_EQ(test::readText(keptVersions(project).front().file), last) << "nothing is lost";
+}
+
+TEST_F(Cli, AnEmptyJointTakesARoleAway) {
+    ASSERT_EQ(kumite({"new", "--out", project, "--take", "a", red, "--role", "left_toe="}).code, 0);
+    const auto json = nlohmann::json::parse(test::readText(project));
+    EXPECT_FALSE(json["takes"][0]["fighters"][0]["roles"].contains("left_toe"));
+    EXPECT_TRUE(json["takes"][0]["fighters"][0]["roles"].contains("right_toe"));
 }
 
 TEST_F(Cli, NoOutputReplacesWhatIsRead) {

@@ -1,0 +1,64 @@
+#include "studio/app/script.h"
+
+#include <QFile>
+
+#include <cstdio>
+
+#include "studio/app/commands.h"
+#include "studio/app/file_actions.h"
+#include "studio/app/main_window.h"
+#include "studio/app/picture.h"
+
+namespace kumite::studio {
+
+namespace {
+
+bool runLine(MainWindow& window, const QStringList& words) {
+    const QString& verb = words.front();
+    const double number = words.value(1).toDouble();
+    if (verb == QLatin1String("time")) {
+        window.session().transport().setPlayhead(number);
+    } else if (verb == QLatin1String("take")) {
+        window.session().setTake(static_cast<int>(number) - 1);
+    } else if (verb == QLatin1String("wait")) {
+        letWork(static_cast<int>(number));
+    } else if (verb == QLatin1String("import")) {
+        window.files().showImportDialog(words.mid(1));
+    } else if (verb == QLatin1String("save")) {
+        return window.files().saveTo(words.value(1));
+    } else if (window.commands().find(verb) != nullptr) {
+        window.commands().run(verb);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+bool runScript(MainWindow& window, const QStringList& lines) {
+    if (!lines.isEmpty()) waitWhileBusy(window);
+    for (const QString& line : lines) {
+        const QStringList words = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+        if (words.isEmpty() || !runLine(window, words)) {
+            std::fprintf(stderr, "kumite-studio: cannot run \"%s\".\n", qPrintable(line));
+            return false;
+        }
+        std::printf("%s\n", qPrintable(line));
+        std::fflush(stdout);
+    }
+    return true;
+}
+
+std::optional<QStringList> scriptLines(const QString& file) {
+    QFile script(file);
+    if (!script.open(QIODevice::ReadOnly)) return std::nullopt;
+    QStringList lines;
+    while (!script.atEnd()) {
+        const QString line = QString::fromUtf8(script.readLine()).trimmed();
+        if (!line.isEmpty()) lines.append(line);
+    }
+    return lines;
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QStringList>
+
+#include <optional>
+
+namespace kumite::studio {
+
+class MainWindow;
+
+/// Runs commands in the window as keys would, once nothing is read or computed any more: names of
+/// the command table
+/// ("boundary.add"), and
+///   time S          moves the playhead
+///   take N          shows a take, counted from 1
+///   wait MS         lets the window work
+///   import FILE…    opens the import dialog on recordings
+///   save FILE       saves under a name
+/// After each the line is written to standard output, so that whoever drives the studio knows how
+/// far it is. False, with a sentence on standard error, at the first line that cannot be run.
+bool runScript(MainWindow& window, const QStringList& lines);
+
+/// The lines of a file that say something; nothing where it cannot be read.
+std::optional<QStringList> scriptLines(const QString& file);
+
+}  // namespace kumite::studio

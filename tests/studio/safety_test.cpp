@@ -1,0 +1,276 @@
+// Saving, locks, versions and kill -9, in the real window and the real program.
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QProcess>
+#include <QPushButton>
+#include <QTest>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <csignal>
+#include <random>
+
+#include <sys/resource.h>
+
+#include "core/project/project_file.h"
+#include "core/project/versions.h"
+#include "studio/app/commands.h"
+#include "studio/app/file_actions.h"
+#include "studio/app/message_strip.h"
+#include "studio/app/opening.h"
+#include "studio/app/project_guard.h"
+#include "studio/app/recovery.h"
+#include "studio/app/versions_dialog.h"
+#include "tests/studio/synthetic_bout.h"
+
+namespace kumite::studio {
+namespace {
+
+/// Presses a button, by its text, of the message box that comes up next.
+void answer(const QString& text, int patience = 400) {
+    QTimer::singleShot(25, qApp, [text, patience] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (box == nullptr) {
+            ASSERT_GT(patience, 0) << "nothing was asked that " << text.toStdString() << " answers";
+            return answer(text, patience - 1);
+        }
+        for (QAbstractButton* button : box->buttons()) {
+            if (button->text().remove('&') == text) return button->click();
+        }
+        ADD_FAILURE() << "no button " << text.toStdString();
+        box->reject();
+    });
+}
+
+int corrections(const Project& project) {
+    int count = 0;
+    for (const Take& take : project.takes) {
+        for (const Fighter& fighter : take.fighters)
+            count += static_cast<int>(fighter.corrections.size());
+    }
+    return count;
+}
+
+class SafetyTest : public WindowTest {
+protected:
+    void openSaved() {
+        openBout();
+        ASSERT_TRUE(window_->files().saveTo(project()));
+    }
+    QString project() const { return file("bout.kumite"); }
+    Project onDisk() const { return loadProject(toPath(project())).project; }
+    /// What `kumite correct` in another window does.
+    void changeBehindTheBack() const {
+        Project other = onDisk();
+        other.segmentation.cutoff = 4.5;
+        saveProject(other, toPath(project()));
+    }
+};
+
+TEST_F(SafetyTest, AFileThatSomebodyElseChangedIsNotSavedOverUnasked) {
+    openSaved();
+    session().toggleBoundary(someBoundary(0));
+    changeBehindTheBack();
+    answer("Cancel");
+    EXPECT_FALSE(window_->files().saveTo(project()));
+    EXPECT_TRUE(session().document().isModified());
+    EXPECT_EQ(onDisk().segmentation.cutoff, 4.5);
+    answer("Save over it");
+    EXPECT_TRUE(window_->files().saveTo(project()));
+    EXPECT_EQ(onDisk().segmentation.cutoff, 6.0);
+    const auto kept = keptVersions(toPath(project()));
+    ASSERT_FALSE(kept.empty());
+    EXPECT_EQ(loadVersion(toPath(project()), kept.front()).project.segmentation.cutoff, 4.5)
+        << "what was saved over is not lost";
+    session().toggleBoundary(someBoundary(1));
+    EXPECT_TRUE(window_->files().saveTo(project())) << "and is not asked about again";
+}
+
+TEST_F(SafetyTest, AFullDiskGivesASentenceAndTheOldFileStaysWhole) {
+    openSaved();
+    QFile file(project());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray before = file.readAll();
+    session().toggleBoundary(someBoundary(0));
+    rlimit old{};
+    ::getrlimit(RLIMIT_FSIZE, &old);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit tiny{100, old.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &tiny);
+    const bool saved = window_->files().saveTo(project());
+    ::setrlimit(RLIMIT_FSIZE, &old);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_FALSE(saved);
+    EXPECT_TRUE(window_->messages().text().contains("bout.kumite"));
+    EXPECT_TRUE(window_->messages().text().contains("your work is still open"));
+    EXPECT_TRUE(session().document().isModified());
+    file.seek(0);
+    QFile again(project());
+    ASSERT_TRUE(again.open(QIODevice::ReadOnly));
+    EXPECT_EQ(again.readAll(), before);
+    EXPECT_TRUE(window_->files().saveTo(project())) << "once there is room it is saved";
+}
+
+TEST_F(SafetyTest, VersionsAreListedAndRestoredAsAnEdit) {
+    openSaved();
+    const Project first = session().document().project();
+    for (const int player : {0, 1}) {
+        session().toggleBoundary(someBoundary(player));
+        ASSERT_TRUE(window_->files().saveTo(project()));
+    }
+    const Project last = session().document().project();
+    window_->commands().run("file.versions");
+    auto* dialog = qobject_cast<VersionsDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    auto* list = dialog->findChild<QTreeWidget*>();
+    QTRY_COMPARE(list->topLevelItemCount(), 2);
+    EXPECT_EQ(list->topLevelItem(0)->text(2), "1");
+    EXPECT_EQ(list->topLevelItem(1)->text(2), "0");
+    QTest::keyClick(list, Qt::Key_Down);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    settle();
+    EXPECT_EQ(session().document().project(), first);
+    EXPECT_TRUE(session().document().isModified());
+    session().document().undo();
+    EXPECT_EQ(session().document().project(), last);
+    EXPECT_FALSE(session().document().isModified());
+}
+
+/// The program as users start it, on a home of its own.
+class Studio : public QProcess {
+public:
+    Studio(const QString& home, const QStringList& arguments) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert("XDG_DATA_HOME", home);
+        environment.insert("XDG_CONFIG_HOME", home);
+        setProcessEnvironment(environment);
+        start(KUMITE_STUDIO_PROGRAM, arguments);
+    }
+    ~Studio() override {
+        kill();
+        waitForFinished();
+    }
+    /// Lines that it has told until there are `count`; fewer where it ends before.
+    QStringList lines(int count) {
+        do {
+            while (canReadLine())
+                lines_.append(QString::fromUtf8(readLine()).trimmed());
+        } while (lines_.size() < count && waitForReadyRead(60000));
+        return lines_;
+    }
+
+private:
+    QStringList lines_;
+};
+
+void writeText(const QString& path, const QString& text) {
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(text.toUtf8());
+}
+
+TEST_F(SafetyTest, TheSecondStudioOnAProjectIsTold) {
+    openSaved();
+    writeText(file("script"), "wait 1\n");
+    window_->files().openBout(requestFor(recordings()), false);  // lets go of the lock
+    settle();
+    Studio other(file("home"), {"--script", file("script"), project()});
+    ASSERT_EQ(other.lines(1).size(), 1);
+    answer("Cancel");
+    window_->files().openProjectFile(project());
+    settle();
+    EXPECT_TRUE(session().document().path().isEmpty());
+    answer("Open a copy");
+    window_->files().openProjectFile(project());
+    settle();
+    EXPECT_TRUE(session().document().path().isEmpty());
+    EXPECT_TRUE(session().document().isModified());
+    answer("Take over");
+    window_->files().openProjectFile(project());
+    settle();
+    EXPECT_EQ(session().document().path(), project());
+}
+
+TEST_F(SafetyTest, TheLockOfADeadStudioIsNoObstacle) {
+    openSaved();
+    writeText(file("script"), "wait 1\n");
+    window_->files().openBout(requestFor(recordings()), false);
+    settle();
+    {
+        Studio other(file("home"), {"--script", file("script"), project()});
+        ASSERT_EQ(other.lines(1).size(), 1);
+        ASSERT_TRUE(QFile::exists(ProjectLock::fileFor(project())));
+    }
+    ASSERT_TRUE(QFile::exists(ProjectLock::fileFor(project()))) << "killed, it could not tidy up";
+    window_->files().openProjectFile(project());  // a question would hang here
+    settle();
+    EXPECT_EQ(session().document().path(), project());
+}
+
+/// Adds boundaries and saves now and then, in the real program; it is killed at a random instant.
+/// What it had told is there again, but for the act in progress.
+TEST_F(SafetyTest, KilledAtAnyInstantAtMostTheActInProgressIsLost) {
+    openSaved();
+    constexpr int kActs = 60;
+    const auto momentOfAct = [](int act) { return 0.08 + 0.155 * act; };
+    // How many corrections there are after each act: some fall where a boundary is already.
+    std::vector<int> truth{corrections(session().document().project())};
+    for (int i = 0; i < kActs; ++i) {
+        session().transport().setPlayhead(momentOfAct(i));
+        session().addBoundaryAtPlayhead();
+        truth.push_back(corrections(session().document().project()));
+    }
+    ASSERT_GT(truth.back(), kActs / 2);
+    window_.reset();
+    std::mt19937 random(20080131);
+    const QByteArray whole = [&] {
+        QFile saved(project());
+        EXPECT_TRUE(saved.open(QIODevice::ReadOnly));
+        return saved.readAll();
+    }();
+    QString script;
+    for (int i = 0; i < kActs; ++i) {
+        script += QString("time %1\n").arg(momentOfAct(i));
+        script += "boundary.add\n";
+        if (i % 7 == 6) script += "file.save\n";
+    }
+    writeText(file("script"), script + "wait 100000\n");
+    for (int round = 0; round < 6; ++round) {
+        writeText(project(), QString::fromUtf8(whole));
+        const QString home = file(QString("home%1").arg(round));
+        QStringList told;
+        {
+            Studio studio(home, {"--script", file("script"), project()});
+            const int acts = std::uniform_int_distribution(1, 120)(random);
+            told = studio.lines(acts);
+            ASSERT_GE(told.size(), acts) << studio.readAllStandardError().toStdString();
+            QTest::qSleep(std::uniform_int_distribution(0, 9)(random));
+            studio.kill();
+            studio.waitForFinished();
+            told = studio.lines(1000);
+        }
+        const auto added = static_cast<std::size_t>(told.count("boundary.add"));
+        // The file is whole, whatever was being written.
+        const int saved = corrections(onDisk());
+        const QDir folder(home + "/kumite/kumite-studio/recovery");
+        int recovered = saved;
+        for (const QFileInfo& copy : folder.entryInfoList({"*.edit"}, QDir::Files)) {
+            QFile text(copy.absoluteFilePath());
+            ASSERT_TRUE(text.open(QIODevice::ReadOnly));
+            const QByteArray about = text.readLine();
+            EXPECT_TRUE(about.contains(project().toUtf8()));
+            recovered =
+                std::max(recovered, corrections(parseProject(text.readAll().toStdString(), "copy",
+                                                             toPath(folder.path()))));
+        }
+        // Nothing that was told is missing; the act in progress may be there.
+        EXPECT_GE(recovered, truth[added]) << "round " << round;
+        EXPECT_LE(recovered, truth[std::min(added + 1, truth.size() - 1)]) << "round " << round;
+    }
+}
+
+}  // namespace
+}  // namespace kumite::studio
