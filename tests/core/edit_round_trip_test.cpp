@@ -48,6 +48,16 @@ int boundary(const Analysis& analysis, FighterAddress address, Random& random) {
         .frame;
 }
 
+std::optional<Correction> correction(const Project& project, FighterAddress address,
+                                     Correction::Kind kind, Random& random) {
+    std::vector<Correction> found;
+    for (const Correction& each : fighterAt(project, address).corrections) {
+        if (each.kind == kind) found.push_back(each);
+    }
+    if (found.empty()) return std::nullopt;
+    return found[static_cast<std::size_t>(pick(random, static_cast<int>(found.size())))];
+}
+
 std::string letters(Random& random) {
     std::string name = "take ";
     for (int i = 0; i < 4; ++i)
@@ -80,6 +90,37 @@ const std::map<std::string, Draw>& edits() {
              const auto f = fighter(p, r);
              const int from = boundary(a, f, r);
              return moveBoundary(p, a, f, from, from + pick(r, 9) - 4);
+         }},
+        {"acceptBoundary",
+         [](const Project& p, const Analysis& a, Random& r) {
+             const auto f = fighter(p, r);
+             return acceptBoundary(p, a, f, boundary(a, f, r));
+         }},
+        {"withdrawAcceptance",
+         [](const Project& p, const Analysis& a, Random& r) -> MaybeEdit {
+             const auto f = fighter(p, r);
+             const auto kept = correction(p, f, Correction::Kind::Keep, r);
+             return kept ? withdrawAcceptance(p, a, f, kept->frame) : std::nullopt;
+         }},
+        {"forgetCorrection",
+         [](const Project& p, const Analysis& a, Random& r) -> MaybeEdit {
+             const auto f = fighter(p, r);
+             const auto& unmatched = a.at(f).segmentation->unmatched;
+             if (unmatched.empty()) return std::nullopt;
+             return forgetCorrection(p, a, f, unmatched.front());
+         }},
+        {"addBoundaryOfCorrection",
+         [](const Project& p, const Analysis& a, Random& r) -> MaybeEdit {
+             const auto f = fighter(p, r);
+             const auto& unmatched = a.at(f).segmentation->unmatched;
+             if (unmatched.empty()) return std::nullopt;
+             return addBoundaryOfCorrection(p, a, f, unmatched.front());
+         }},
+        {"setNote",
+         [](const Project& p, const Analysis& a, Random& r) {
+             const auto f = fighter(p, r);
+             return setNote(p, a, f, pick(r, a.at(f).frameCount()),
+                            pick(r, 3) ? letters(r) : std::string());
          }},
         {"dropUnmatchedCorrections",
          [](const Project& p, const Analysis& a, Random& r) {
@@ -115,6 +156,8 @@ const std::map<std::string, Draw>& edits() {
              if (p.takes.size() < 2) return std::nullopt;
              return removeTake(p, anyTake(p, r));
          }},
+        {"moveTake", [](const Project& p, const Analysis&,
+                        Random& r) { return moveTake(p, anyTake(p, r), anyTake(p, r)); }},
         {"renameTake", [](const Project& p, const Analysis&,
                           Random& r) { return renameTake(p, anyTake(p, r), letters(r)); }},
         {"swapFighters", [](const Project& p, const Analysis&,
@@ -240,7 +283,11 @@ TEST(EditRoundTrip, UndoRedoSaveAndReopenGiveTheSameProject) {
         EXPECT_EQ(history.current(), bout.project);
     }
     for (const auto& [name, draw] : edits()) {
-        if (name == "dropUnmatchedCorrections") continue;  // seldom has anything to drop
+        // There is seldom a correction that means no minimum any more.
+        if (name == "dropUnmatchedCorrections" || name == "forgetCorrection" ||
+            name == "addBoundaryOfCorrection") {
+            continue;
+        }
         EXPECT_GT(done[name], 0) << name << " was never done";
     }
 }

@@ -1,5 +1,6 @@
 // Every command of the table, run once on nothing, on a bout and on a project without takes.
 
+#include <QAction>
 #include <QApplication>
 #include <QDialog>
 #include <QTest>
@@ -8,6 +9,8 @@
 #include "studio/app/command_palette.h"
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/key_bindings.h"
+#include "studio/app/keys_page.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -117,6 +120,41 @@ TEST_F(EveryCommand, OnAProjectWithoutTakes) {
         session().document().goToStep(0);
         settle();
         ASSERT_NE(session().fighter(0), nullptr);
+    }
+}
+
+TEST_F(EveryCommand, HasItsKeysToItself) {
+    for (const Command& command : window_->commands().commands()) {
+        for (const QKeySequence& key : command.keys) {
+            for (const Command* other : conflictsOf(window_->commands(), command.id, key)) {
+                ADD_FAILURE() << key.toString().toStdString() << " means "
+                              << command.id.toStdString() << " and " << other->id.toStdString();
+            }
+        }
+    }
+}
+
+TEST_F(EveryCommand, StandsInThePaletteAndOnTheSheetOfKeys) {
+    openBout();
+    window_->commandPalette().open();
+    const QStringList offered = window_->commandPalette().shownCommands();
+    QStringList sheet;
+    for (const KeyGroup& group : keyGroups(window_->commands())) {
+        for (const KeyGroup::Row& row : group.rows)
+            sheet.append(group.title + row.text + row.keys);
+    }
+    for (const Command& command : window_->commands().commands()) {
+        SCOPED_TRACE(command.id.toStdString());
+        // A menu of its own and the palette itself cannot be run from the palette.
+        const bool runs = window_->commands().action(command.id)->menu() == nullptr &&
+                          command.id != "app.palette";
+        if (runs && window_->commands().isEnabled(command)) {
+            EXPECT_TRUE(offered.contains(command.id));
+        }
+        if (!command.keys.isEmpty()) {
+            EXPECT_TRUE(
+                sheet.contains(command.plainMenu() + command.plainText() + command.keysText()));
+        }
     }
 }
 

@@ -12,6 +12,7 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/message_strip.h"
 #include "studio/timeline/note_field.h"
+#include "studio/view3d/stage_view.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -104,6 +105,25 @@ TEST_F(TimelineTest, KeysNudgeTheSelectedBoundaryFrameByFrame) {
     press(Qt::Key_Left, Qt::AltModifier);
     EXPECT_EQ(mark(boundary)->state, MarkState::Detected) << "back home nothing is corrected";
     EXPECT_TRUE(session().document().project().takes[0].fighters[1].corrections.empty());
+}
+
+TEST_F(TimelineTest, EscapeLeavesTheDragBeforeTheMeasuringTool) {
+    openBout();
+    press(Qt::Key_M);
+    ASSERT_TRUE(window_->stage().isMeasuring());
+    const QPointF from = timeline().pointOf(someBoundary(0));
+    QTest::mousePress(&timeline(), Qt::LeftButton, {}, from.toPoint());
+    move({from.x() + 12, from.y()}, {});
+    move({from.x() + 20, from.y()}, {});
+    ASSERT_EQ(timeline().cursor().shape(), Qt::SizeHorCursor);
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(window_->stage().isMeasuring());
+    QTest::mouseRelease(&timeline(), Qt::LeftButton, {}, QPoint(int(from.x()) + 20, int(from.y())));
+    EXPECT_EQ(session().document().history().position(), 0U) << "the drag was left";
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(window_->stage().isMeasuring());
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(session().selection()) << "the last one clears the selection";
 }
 
 TEST_F(TimelineTest, ADraggedBoundarySnapsAndAModifierFreesIt) {
