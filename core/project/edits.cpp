@@ -111,6 +111,7 @@ MaybeEdit swapFighters(const Project& project, int take) {
     }
     Edit edit{project, "Swap fighters"};
     auto& fighters = edit.project.takes[static_cast<std::size_t>(take)].fighters;
+    if (fighters[0] == fighters[1]) return std::nullopt;
     std::swap(fighters[0], fighters[1]);
     return edit;
 }

@@ -116,13 +116,14 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
 }
 
 void MainWindow::addTimelineCommands() {
-    const QString menu = tr("&Timeline");
+    const QString menu = tr("T&imeline");
     timeline_->setOptions(storedOptions());
     const auto change = [this](auto what) {
         TimelineOptions options = timeline_->options();
         what(options);
         timeline_->setOptions(options);
         storeOptions(options);
+        if (!spaceShared_) shareSpace();
     };
     const std::array<std::pair<const char*, QString>, 4> switches = {
         {{"timeline.height", tr("&Height of the centre of mass")},

@@ -193,9 +193,11 @@ bool MainWindow::isBusy() const {
 }
 
 void MainWindow::shareSpace() {
-    // Half of the window and more for the 3D view; the timeline grows with the window.
+    // Half of the window and more for the 3D view; the timeline grows with the window, and with
+    // what is to be seen in it.
     const int height = pages_->height();
-    const int timeline = std::clamp(height / 4, 176, 300);
+    const int wished = std::min(timelineBox_->sizeHint().height(), 2 * height / 5);
+    const int timeline = std::max(std::clamp(height / 4, 176, 300), wished);
     rows_->setSizes({height - timeline - 1, timeline});
     const int left = width() < 1600 ? 136 : 176;
     const int right = width() < 1600 ? 224 : 256;

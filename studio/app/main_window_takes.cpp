@@ -16,7 +16,7 @@ void MainWindow::addTakeCommands() {
     const auto count = [this] {
         return static_cast<int>(session_.document().project().takes.size());
     };
-    const QString menu = tr("&Take");
+    const QString menu = tr("Ta&ke");
     const QString group = QLatin1Char('-') + menu;
     commands_->add({"take.add",
                     menu,

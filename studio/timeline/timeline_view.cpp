@@ -97,6 +97,14 @@ void TimelineView::editNote() {
     note_->open(*action, {left, std::min(top, this->height() - height), width, height});
 }
 
+int TimelineView::speedRows() const {
+    return (options_.handSpeed ? 1 : 0) + (options_.footSpeed ? 1 : 0);
+}
+
+QSize TimelineView::sizeHint() const {
+    return {800, 140 + 100 * speedRows()};
+}
+
 void TimelineView::layOut() {
     const double height = std::max(10.0, this->height() - kRulerHeight);
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
@@ -113,8 +121,8 @@ void TimelineView::refresh() {
         tracks_[i].setFighter(session_.fighter(static_cast<int>(i)), options_,
                               session_.document().analysis().settings.curve);
     }
-    const int speeds = (options_.handSpeed ? 1 : 0) + (options_.footSpeed ? 1 : 0);
-    setMinimumHeight(120 + 64 * speeds);
+    setMinimumHeight(120 + 64 * speedRows());
+    updateGeometry();
     layOut();
     hovered_.reset();
     invalidate();

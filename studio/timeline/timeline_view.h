@@ -40,7 +40,7 @@ public:
     /// Opens the field for the current action's note.
     void editNote();
 
-    QSize sizeHint() const override { return {800, 190}; }
+    QSize sizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -64,6 +64,7 @@ private:
     };
 
     void layOut();
+    int speedRows() const;
     void refresh();
     void invalidate();
     void paintStill(QPainter& painter);

@@ -246,7 +246,7 @@ TEST(EditRoundTrip, UndoRedoSaveAndReopenGiveTheSameProject) {
         Random random(seed);
         History history(bout.project);
         Analysis analysis = analyse(bout.project);
-        for (int step = 0; step < 60; ++step) {
+        for (int step = 0; step < 120; ++step) {
             auto chosen = edits().begin();
             std::advance(chosen, pick(random, static_cast<int>(edits().size())));
             const Project before = history.current();

@@ -3,8 +3,12 @@
 #include <QAction>
 #include <QApplication>
 #include <QDialog>
+#include <QMenu>
+#include <QMenuBar>
 #include <QTest>
 #include <QTimer>
+
+#include <map>
 
 #include "studio/app/command_palette.h"
 #include "studio/app/commands.h"
@@ -131,6 +135,20 @@ TEST_F(EveryCommand, HasItsKeysToItself) {
                               << command.id.toStdString() << " and " << other->id.toStdString();
             }
         }
+    }
+}
+
+TEST_F(EveryCommand, IsNotHiddenByTheLetterOfAMenu) {
+    std::map<QString, QString> letters;
+    for (const QAction* menu : window_->menuBar()->actions()) {
+        const QKeySequence letter = QKeySequence::mnemonic(menu->text());
+        ASSERT_FALSE(letter.isEmpty()) << menu->text().toStdString();
+        const bool first = letters.emplace(letter.toString(), menu->text()).second;
+        EXPECT_TRUE(first) << menu->text().toStdString();
+    }
+    for (const Command& command : window_->commands().commands()) {
+        for (const QKeySequence& key : command.keys)
+            EXPECT_EQ(letters.count(key.toString()), 0U) << command.id.toStdString();
     }
 }
 

@@ -99,7 +99,10 @@ TEST_F(WindowTest, ArrowKeysWorkWhereverTheFocusIs) {
 
 TEST_F(WindowTest, UndoInAFieldOfANumberUndoesTheEdit) {
     openBout();
-    QDoubleSpinBox* field = window_->findChildren<QDoubleSpinBox*>().front();
+    QDoubleSpinBox* field = nullptr;
+    for (auto* each : window_->findChildren<QDoubleSpinBox*>()) {
+        if (each->accessibleName() == "Cutoff of the low-pass in Hz") field = each;
+    }
     ASSERT_NE(field, nullptr);
     const double before = field->value();
     field->setFocus();

@@ -127,9 +127,13 @@ TEST_F(ReviewTest, TheReasonIsSaidInWords) {
     press(Qt::Key_N);
     const QString reason = named<QLabel>("Why the minimum is suspected")->text();
     EXPECT_TRUE(reason.contains("prominence")) << reason.toStdString();
-    EXPECT_TRUE(reason.contains("BW"));
-    EXPECT_TRUE(reason.contains("suspicion"));
-    EXPECT_TRUE(reason.startsWith("fighter "));
+    EXPECT_TRUE(reason.endsWith(QString("\u00a0BW"))) << "the unit stays with its number";
+    // Whose it is and how likely stand in its row.
+    const auto* list = qobject_cast<QAbstractItemView*>(panel().list());
+    ASSERT_NE(list, nullptr);
+    const QString told = list->currentIndex().data(Qt::AccessibleTextRole).toString();
+    EXPECT_TRUE(told.contains("fighter ")) << told.toStdString();
+    EXPECT_TRUE(told.contains("suspicion"));
 }
 
 TEST_F(ReviewTest, ASliderActsWhileItMovesAndIsOneStep) {

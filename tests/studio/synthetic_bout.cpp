@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QSettings>
 #include <QTest>
 
 #include <cmath>
@@ -77,6 +78,8 @@ std::string bobbingPerson(double phase, double x, int frames, double rate) {
 }
 
 void WindowTest::SetUp() {
+    // What a test before chose, such as more rows on the timeline, is of no concern.
+    QSettings().clear();
     writeFile(file("left.bvh"), bobbingPerson(0.0, 0));
     writeFile(file("right.bvh"), bobbingPerson(1.3, 120));
     window_ = std::make_unique<MainWindow>();

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableView>
 #include <QVBoxLayout>
 
@@ -169,7 +170,9 @@ void SegmentPanel::showSelection() {
     remove_->setToolTip(removed ? tr("Bring the boundary back (Del)")
                                 : tr("It is spurious; goes on to the next (Backspace)"));
     if (row >= 0) {
-        reason_->setText(model_->toldAt(row));
+        // A number and its unit stay together.
+        static const QRegularExpression beforeUnit(QStringLiteral("(?<=\\d) "));
+        reason_->setText(model_->reasonAt(row).replace(beforeUnit, QString(QChar::Nbsp)));
     } else {
         reason_->setText(mark ? tr("A boundary that a hand has set.")
                               : tr("N leads to the most suspicious minimum."));

@@ -64,12 +64,15 @@ std::optional<SuspectReason> SuspectsModel::reasonOf(int row) const {
     return suspectReason(*fighter, suspect.minimum);
 }
 
+QString SuspectsModel::reasonAt(int row) const {
+    const auto reason = reasonOf(row);
+    return (reason ? reasonText(*reason) : QString()) + stateText(suspectAt(row).state);
+}
+
 QString SuspectsModel::toldAt(int row) const {
     const Suspect& suspect = suspectAt(row);
-    const auto reason = reasonOf(row);
-    return tr("%1: %2, suspicion %3%4")
-        .arg(fighterText(suspect.boundary.player), reason ? reasonText(*reason) : QString(),
-             percentText(suspect.suspicion), stateText(suspect.state));
+    return tr("%1, suspicion %2: %3")
+        .arg(fighterText(suspect.boundary.player), percentText(suspect.suspicion), reasonAt(row));
 }
 
 int SuspectsModel::rowOf(const BoundaryRef& boundary) const {

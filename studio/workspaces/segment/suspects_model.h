@@ -23,7 +23,9 @@ public:
     const Suspect& suspectAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
     /// Nothing where the fighter has no force.
     std::optional<SuspectReason> reasonOf(int row) const;
-    /// What is known about a row, in words.
+    /// Why it is suspected and what was decided, in words.
+    QString reasonAt(int row) const;
+    /// The same with all else that is known about a row.
     QString toldAt(int row) const;
     /// -1 where the boundary is not in the list.
     int rowOf(const BoundaryRef& boundary) const;
