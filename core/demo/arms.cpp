@@ -76,15 +76,16 @@ void poseArms(const FighterPlan& plan, const Posture& posture, double facing, do
         figure.pose.turn(side, Part::Clavicle) = clavicle;
         const Vector3d shoulder = figure.marks[roleOf(side, Part::Clavicle)] +
                                   clavicle * Vector3d(size.clavicle * x, 0.02, 0);
-        const Vector3d way = arm.knuckles - shoulder;
-        const Vector3d wrist = arm.knuckles - size.hand * way.normalized();
         // Where the elbow points is carried along from an arm held ahead, by the shortest way: no
         // direction that an arm can take turns it over.
         const double hook = std::max(0.0, arm.hook);
         const Vector3d ahead = chest * Vector3d(0, -0.3, 1).normalized();
         const Vector3d elbow = chest * Vector3d(x * (0.4 + 0.8 * hook), -1.0 + 0.8 * hook, -0.3);
-        const Vector3d pole = Eigen::Quaterniond::FromTwoVectors(ahead, wrist - shoulder) * elbow;
-        const TwoBone bones = bend(shoulder, wrist, pole, size.upperArm, size.forearm);
+        const Vector3d pole =
+            Eigen::Quaterniond::FromTwoVectors(ahead, arm.knuckles - shoulder) * elbow;
+        // The fist goes on straight from the forearm.
+        const TwoBone bones =
+            bend(shoulder, arm.knuckles, pole, size.upperArm, size.forearm + size.hand);
         const Vector3d upper = bones.middle - shoulder;
         const Vector3d lower = bones.end - bones.middle;
         // In the T-pose the forearm bends ahead: y is the hinge, f × along.

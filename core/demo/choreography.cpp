@@ -9,6 +9,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kNearest = 0.88;    ///< between centres of mass, metres
+constexpr double kBeyond = 0.5;      ///< seconds that the plan goes on after the end
 constexpr double kLastChoice = 1.6;  ///< seconds before the end nothing new is begun
 
 bool isAttack(const Technique& t) {
@@ -167,7 +168,12 @@ Vector2d stationFor(const PlannedAction& action, const Vector2d& here, const Vec
                 break;
         }
     }
-    const double fastest = (isAttack(t) ? 0.95 : 0.8) * action.duration();
+    double fastest = (isAttack(t) ? 0.95 : 0.8) * action.duration();
+    // On one leg nobody goes far.
+    if (t.kicks()) fastest = std::min(fastest, 0.38);
+    if (t.legOutAtBegin(Side::Left) || t.legOutAtBegin(Side::Right)) {
+        fastest = std::min(fastest, 0.12);
+    }
     Vector2d move = ahead * forward + sideways * aside;
     // The ring: whoever is far out tends back to the middle.
     const double out = here.norm();
@@ -240,16 +246,6 @@ void provoke(Player& defender, const PlannedAction& attack) {
     idle.end = end;
 }
 
-/// The last boundary is the bout's end; what would be too short joins its neighbour.
-void endAt(Script& script, double seconds) {
-    constexpr double kShortest = 0.35;
-    auto& actions = script.actions;
-    while (actions.size() > 1 && actions.back().begin > seconds - kShortest)
-        actions.pop_back();
-    actions.back().end = seconds;
-    actions.back().flightAtEnd = 0;
-}
-
 }  // namespace
 
 int Script::actionAt(double time) const {
@@ -280,14 +276,12 @@ std::array<Script, 2> choreograph(std::uint64_t seed, double seconds) {
     }
     for (;;) {
         const std::size_t who = players[0].current().end <= players[1].current().end ? 0 : 1;
-        if (players[who].current().end >= seconds) break;
+        if (players[who].current().end >= seconds + kBeyond) break;
         beginNext(players[who], players[1 - who], seconds);
         if (isAttack(players[who].current().technique)) {
             provoke(players[1 - who], players[who].current());
         }
     }
-    for (Player& player : players)
-        endAt(player.script, seconds);
     return {players[0].script, players[1].script};
 }
 

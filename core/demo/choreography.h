@@ -42,7 +42,7 @@ struct PlannedAction {
 struct Script {
     Temper temper;
     Eigen::Vector2d start;               ///< station at time 0
-    std::vector<PlannedAction> actions;  ///< gapless from 0 to the bout's end
+    std::vector<PlannedAction> actions;  ///< gapless from 0 to beyond the bout's end
 
     /// Index of the action in progress at a time (its begin belongs to it).
     int actionAt(double time) const;

@@ -183,14 +183,13 @@ void makeRoomForPeaks(std::vector<ComKnot>& knots,
     constexpr double kLowest = 0.32;
     constexpr double kRise = 0.11;  // of the peak above its higher end, body weights
     for (int round = 0; round < 12; ++round) {
-        for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+        for (std::size_t i = 1; i + 1 < knots.size(); ++i) {  // the first has its own, see below
             const Contact c = contactOf(knots[i], knots[i + 1]);
             const auto [shape, fits] = verticalShape(c, dips[i]);
             const double rise = shape.even - std::abs(c.endForce - c.startForce) / 2;
             if (rise >= kRise && fits) continue;
-            for (const std::size_t k : {i, i + 1}) {
-                if (k == 0 || k + 1 == knots.size()) continue;  // nothing to be lighter than
-                knots[k].force = std::max(kLowest, knots[k].force - 0.04);
+            for (ComKnot* knot : {&knots[i], &knots[i + 1]}) {
+                knot->force = std::max(kLowest, knot->force - 0.04);
             }
         }
     }
@@ -206,6 +205,15 @@ Shape horizontalShape(const Peak& peak, double start, double startSpeed, double 
     Shape shape = limited(peak, sum, solve(peak, sum, way), [](double) { return kStrongestOdd; });
     shape.even = std::clamp(shape.even, -kStrongestEven, kStrongestEven);
     return shape;
+}
+
+/// The height at the first action's begin is nobody's wish: an even peak brings about the speed at
+/// its end, and it begins where that leads back to.
+Shape firstShape(const Contact& c) {
+    constexpr double kLeast = 0.1;
+    const double gain = (c.endVelocity.y() - c.startVelocity.y()) / (kGravity * c.duration());
+    const double sum = 1 + gain - (c.startForce + c.endForce) / 2;
+    return {std::max(kLeast, sum / integralOf(c.peak->even)), 0};
 }
 
 }  // namespace
@@ -257,6 +265,13 @@ Vector3d ComPath::Piece::positionAt(double time) const {
     return sum;
 }
 
+/// Shifts a piece and its speed along y so that it ends at a knot as wished.
+void ComPath::startSoThatItArrives(Piece& piece, const ComKnot& to) {
+    const double end = piece.begin + piece.duration;
+    piece.velocity.y() += to.velocity.y() - piece.velocityAt(end).y();
+    piece.position.y() += to.position.y() - piece.positionAt(end).y();
+}
+
 void ComPath::addFlight(double begin, double duration, const Vector3d& position,
                         const Vector3d& velocity) {
     if (duration <= 0) return;
@@ -283,7 +298,7 @@ ComPath::ComPath(std::vector<ComKnot>& knots, const std::vector<std::optional<Fo
         piece.position = c.startPosition;
         piece.velocity = c.startVelocity;
         piece.dip = dips[i];
-        const Shape y = verticalShape(c, dips[i]).first;
+        const Shape y = i == 0 ? firstShape(c) : verticalShape(c, dips[i]).first;
         const Peak& along = peakFor(0);
         const Shape x = horizontalShape(along, c.startPosition.x(), c.startVelocity.x(),
                                         c.endPosition.x(), c.endVelocity.x(), piece.duration);
@@ -299,6 +314,7 @@ ComPath::ComPath(std::vector<ComKnot>& knots, const std::vector<std::optional<Fo
                                      z.even * along.even[k] + z.odd * along.odd[k]};
         }
         piece.acceleration[0].y() += kGravity * (c.startForce - 1);
+        if (i == 0) startSoThatItArrives(piece, to);
         pieces_.push_back(piece);
         const Vector3d endPosition = piece.positionAt(c.end);
         const Vector3d endVelocity = piece.velocityAt(c.end);

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-namespace kumite::demo {
+#include "core/base/gravity.h"
 
-inline constexpr double kGravity = 9.80665;  ///< m/s², as in method A2
+namespace kumite::demo {
 
 /// Where the centre of mass shall be at a boundary between two actions, and the force there.
 struct ComKnot {
@@ -37,7 +37,7 @@ struct ForceDip {
 class ComPath {
 public:
     /// `dips[i]` belongs to the action between knots i and i + 1. Knots are moved to what the path
-    /// really does.
+    /// really does; the first one's height is left to it.
     ComPath(std::vector<ComKnot>& knots, const std::vector<std::optional<ForceDip>>& dips);
 
     Eigen::Vector3d position(double time) const;
@@ -61,6 +61,7 @@ private:
     };
 
     const Piece& pieceAt(double time) const;
+    static void startSoThatItArrives(Piece& piece, const ComKnot& to);
     void addFlight(double begin, double duration, const Eigen::Vector3d& position,
                    const Eigen::Vector3d& velocity);
 

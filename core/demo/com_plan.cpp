@@ -101,7 +101,7 @@ ComPath planCentreOfMass(const Script& script, const Script& opponent, double he
             const double flight = actions[i - 1].flightAtEnd;
             knot.flight = flight > 0 ? flight - 0.06 : 0.0;
         }
-        if (first || last) knot.force = 1;
+        if (first) knot.force = 1;
         wish.up += random.normal(0, 0.006);
         const double facing = yawToward(station, opponent.stationAt(knot.time));
         const Vector2d forward(std::sin(facing), std::cos(facing));

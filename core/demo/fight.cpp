@@ -147,12 +147,11 @@ std::array<FighterPlan, 2> planFight(std::uint64_t seed, double seconds,
         const Script& own = scripts[i];
         const Script& other = scripts[1 - i];
         const std::uint64_t stream = 2 * seed + i;
-        return FighterPlan{bodies[i],
-                           own,
-                           planCentreOfMass(own, other, guardHeightOf(bodies[i]), stream),
-                           planFeet(own, other, stream),
-                           strikesOf(own),
-                           PosturePlan(own, {}, stream),
+        ComPath path = planCentreOfMass(own, other, guardHeightOf(bodies[i]), stream);
+        Feet feet = planFeet(own, other, path, stream);
+        return FighterPlan{bodies[i],       own,
+                           std::move(path), std::move(feet),
+                           strikesOf(own),  PosturePlan(own, {}, stream),
                            stream};
     };
     std::array<FighterPlan, 2> plans = {planOf(0), planOf(1)};

@@ -40,8 +40,8 @@ double wrapped(double angle) {
 /// The planner's view of one fighter.
 class Planner {
 public:
-    Planner(const Script& script, const Script& opponent, std::uint64_t seed)
-        : script_(script), opponent_(opponent), random_(seed, 7) {
+    Planner(const Script& script, const Script& opponent, const ComPath& path, std::uint64_t seed)
+        : script_(script), opponent_(opponent), path_(path), random_(seed, 7) {
         for (const Side side : kSides) {
             const Home home = homeAt(side, 0);
             track(side).plants.push_back({0, kOpen, home.toe, home.yaw});
@@ -65,18 +65,24 @@ private:
 
     FootTrack& track(Side side) { return feet_[static_cast<std::size_t>(side)]; }
 
-    Vector2d stationAt(double time) const { return script_.stationAt(time); }
+    Vector2d bodyAt(double time) const {
+        const Eigen::Vector3d body = path_.position(time);
+        return {body.x(), body.z()};
+    }
 
     Home homeAt(Side side, double time) const {
-        const double facing = yawToward(stationAt(time), opponent_.stationAt(time));
-        return homeOf(script_.temper, side, stationAt(time), facing);
+        const double facing = yawToward(bodyAt(time), opponent_.stationAt(time));
+        return homeOf(script_.temper, side, bodyAt(time), facing);
     }
 
     /// Lifts the foot at `from`; it lands at `to`, where it will be of most use.
     void swing(Side side, double from, double to, Swing kind) {
+        swingTo(homeAt(side, to + 0.25), side, from, to, kind);
+    }
+
+    void swingTo(Home home, Side side, double from, double to, Swing kind) {
         FootTrack& t = track(side);
         t.plants.back().end = from;
-        Home home = homeAt(side, to + 0.2);
         home.toe += Vector2d(random_.normal(0, 0.015), random_.normal(0, 0.015));
         home.yaw += random_.normal(0, 0.06);
         t.plants.push_back({to, kOpen, home.toe, home.yaw});
@@ -135,36 +141,63 @@ private:
         double latest = time + 0.15;
         if (next.technique.kicks()) latest = next.begin + 0.28 * next.duration();
         const double length = random_.uniform(0.25, 0.30);
-        const double from = time - length / 2;
-        const double to = std::min(time + length / 2, latest);
-        step(from, to);
+        if (next.technique.kicks() && next.technique.jump == Jump::Others) {
+            stepUnder(next, time - length / 2, std::min(time + length / 2, latest));
+            return;
+        }
+        constexpr double kWorthAStep = 0.075;
+        step(time - length / 2, std::min(time + length / 2, latest), kWorthAStep, true);
+        // The other foot follows in the middle of a longer action where it is left far behind.
+        const bool free = !next.technique.kicks() && next.technique.jump == Jump::Others;
+        if (free && next.duration() > 0.5) {
+            constexpr double kLeftBehind = 0.17;
+            const double middle = next.begin + next.duration() / 2;
+            step(middle - 0.11, middle + 0.11, kLeftBehind, false);
+        }
     }
 
-    void step(double from, double to) {
+    /// Sets the foot that will carry a kick where the body will be when the leg is out.
+    void stepUnder(const PlannedAction& kick, double from, double to) {
+        const Side support = kick.technique.legOutAtEnd(Side::Left) ? Side::Right : Side::Left;
+        if (!isFree(support, from) || !isFree(other(support), from)) return;
+        const Vector2d body = bodyAt(kick.end);
+        const Vector2d forward = (opponent_.stationAt(kick.end) - body).normalized();
+        const double outward = support == Side::Left ? 1.0 : -1.0;
+        const bool lead = support == leadOf(script_.temper);
+        Home home;
+        home.toe = body + (lead ? 0.10 : 0.05) * forward;
+        home.yaw = std::atan2(forward.x(), forward.y()) + outward * (lead ? 0.2 : 0.6);
+        constexpr double kFarEnough = 0.10;
+        if ((home.toe - track(support).plants.back().toe).norm() < kFarEnough) return;
+        swingTo(home, support, from, to, Swing::Step);
+    }
+
+    /// Moves the foot that is farthest from home, if that is worth a step.
+    void step(double from, double to, double worth, bool mayTap) {
         std::array<double, 2> need{};
         for (const Side side : kSides) {
             if (!isFree(side, from) || !isFree(other(side), from)) return;
-            const Home home = homeAt(side, to + 0.2);
+            const Home home = homeAt(side, to + 0.25);
             const Plant& plant = track(side).plants.back();
             need[static_cast<std::size_t>(side)] =
                 (home.toe - plant.toe).norm() + 0.2 * std::abs(wrapped(home.yaw - plant.yaw));
         }
         const Side side = need[0] >= need[1] ? Side::Left : Side::Right;
         const double most = std::max(need[0], need[1]);
-        constexpr double kWorthAStep = 0.085;
         constexpr double kRestless = 0.3;
-        const bool restless = random_.chance(kRestless * script_.temper.wanderlust);
-        if (most < kWorthAStep && !restless) return;
+        const bool restless = mayTap && random_.chance(kRestless * script_.temper.wanderlust);
+        if (most < worth && !restless) return;
         // A restless foot taps where it stands, the one that has rested longer.
         const Side tapping =
             track(Side::Left).plants.back().begin <= track(Side::Right).plants.back().begin
                 ? Side::Left
                 : Side::Right;
-        swing(most < kWorthAStep ? tapping : side, from, to, Swing::Step);
+        swing(most < worth ? tapping : side, from, to, Swing::Step);
     }
 
     const Script& script_;
     const Script& opponent_;
+    const ComPath& path_;
     Random random_;
     Feet feet_;
 };
@@ -231,8 +264,9 @@ double yawToward(const Vector2d& from, const Vector2d& to) {
     return std::atan2(to.x() - from.x(), to.y() - from.y());
 }
 
-Feet planFeet(const Script& script, const Script& opponent, std::uint64_t seed) {
-    return Planner(script, opponent, seed).plan();
+Feet planFeet(const Script& script, const Script& opponent, const ComPath& centreOfMass,
+              std::uint64_t seed) {
+    return Planner(script, opponent, centreOfMass, seed).plan();
 }
 
 std::vector<std::string> movesOf(const Feet& feet, std::span<const double> boundaries) {

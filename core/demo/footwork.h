@@ -38,7 +38,8 @@ double yawToward(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
 /// Where both feet go, from what the actions need (kicks, hops, jumps) and from where the body
 /// goes: at a boundary, when the body is light, the foot that is farthest from home steps.
-Feet planFeet(const Script& script, const Script& opponent, std::uint64_t seed);
+Feet planFeet(const Script& script, const Script& opponent, const ComPath& centreOfMass,
+              std::uint64_t seed);
 
 /// The label's aspect `move` (method A5) of the actions between these boundaries, from the plan:
 /// 'L', 'R' or 'F' at begin and end.

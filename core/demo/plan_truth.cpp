@@ -13,15 +13,21 @@ struct Clock {
     double rate;
     int frameCount;
 
+    double end() const { return (frameCount - 1) / rate; }
     int frameAt(double time) const {
         return std::clamp(static_cast<int>(std::lround(time * rate)), 0, frameCount - 1);
     }
 };
 
-std::vector<double> boundaryTimes(const Script& script) {
+/// Boundaries from 0 to the take's end, where the last action is cut short; what would be left
+/// of it as a sliver belongs to the one before.
+std::vector<double> boundaryTimes(const Script& script, double end) {
+    constexpr double kSliver = 0.2;  // seconds
     std::vector<double> times = {0};
-    for (const PlannedAction& action : script.actions)
-        times.push_back(action.end);
+    for (const PlannedAction& action : script.actions) {
+        if (action.end < end - kSliver) times.push_back(action.end);
+    }
+    times.push_back(end);
     return times;
 }
 
@@ -106,12 +112,13 @@ TrueAction actionTruth(const PlannedAction& action, const std::string& move,
 
 TruePlayer playerTruth(const FighterPlan& plan, const FighterPlan& opponent, const Clock& clock) {
     TruePlayer player;
-    const std::vector<double> times = boundaryTimes(plan.script);
+    const std::vector<double> times = boundaryTimes(plan.script, clock.end());
     const std::vector<std::string> moves = movesOf(plan.feet, times);
     for (const double time : times)
         player.boundaries.push_back(clock.frameAt(time));
-    for (std::size_t i = 0; i < plan.script.actions.size(); ++i) {
-        const PlannedAction& action = plan.script.actions[i];
+    for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+        PlannedAction action = plan.script.actions[i];
+        action.end = times[i + 1];
         player.actions.push_back(actionTruth(action, moves[i], reactTo(action, opponent.script),
                                              plan.centreOfMass, clock));
         if (action.dip && action.dip->time + action.dip->width / 2 < times.back()) {
@@ -133,14 +140,14 @@ TruePlayer playerTruth(const FighterPlan& plan, const FighterPlan& opponent, con
 }
 
 /// The rows of the law that were drawn from, each once, in the order of techniques and ranges.
-std::vector<ProcessRow> processOf(const std::array<FighterPlan, 2>& plans) {
+std::vector<ProcessRow> processOf(const std::array<FighterPlan, 2>& plans, double end) {
     const auto& all = techniques();
     std::vector<ProcessRow> rows;
     for (std::size_t mover = 0; mover < 2; ++mover) {
         const Script& script = plans[mover].script;
         std::map<std::tuple<int, int, int>, Choice> choices;
         for (const PlannedAction& action : script.actions) {
-            if (!action.choice) continue;
+            if (!action.choice || action.begin >= end) continue;
             const Choice& c = *action.choice;
             choices[{c.own, c.opponent, static_cast<int>(c.range)}] = c;
         }
@@ -169,7 +176,7 @@ Truth truthOf(const std::array<FighterPlan, 2>& plans, double rate, int frameCou
     truth.seed = seed;
     truth.players = {playerTruth(plans[0], plans[1], clock),
                      playerTruth(plans[1], plans[0], clock)};
-    truth.process = processOf(plans);
+    truth.process = processOf(plans, clock.end());
     return truth;
 }
 

@@ -5,8 +5,8 @@
 
 namespace kumite::demo {
 
-/// A stream of random numbers that is the same on every machine (SplitMix64, Steele et al. 2014;
-/// the standard library's distributions are not).
+/// A stream of random numbers (SplitMix64, Steele et al. 2014) that does not depend on the standard
+/// library, whose distributions differ from one to the next.
 class Random {
 public:
     explicit Random(std::uint64_t seed, std::uint64_t stream = 0);

@@ -44,7 +44,7 @@ double segmentDistance(const Capsule& p, const Capsule& q) {
     double s = 0;
     if (determinant > 1e-12) s = std::clamp((uv * vw - vv * uw) / determinant, 0.0, 1.0);
     double t = vv > 1e-12 ? (uv * s + vw) / vv : 0.0;
-    if (t < 0 || t > 1) {
+    if (t < 0 || t > 1 || vv <= 1e-12) {
         t = std::clamp(t, 0.0, 1.0);
         s = uu > 1e-12 ? std::clamp((uv * t - uw) / uu, 0.0, 1.0) : 0.0;
     }

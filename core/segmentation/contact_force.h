@@ -5,10 +5,9 @@
 
 #include <Eigen/Core>
 
-namespace kumite {
+#include "core/base/gravity.h"
 
-/// Acceleration of gravity, m/s².
-inline constexpr double kGravity = 9.80665;
+namespace kumite {
 
 /// Which curve is cut at its minima: the length of the force (default) or its vertical part.
 enum class ForceCurve { Norm, Vertical };
