@@ -76,6 +76,19 @@ std::optional<double> floorHeight(const Skeleton& skeleton, const RoleMap& roles
     return floor;
 }
 
+std::vector<float> jointSpeed(const JointPositions& positions, int joint, double rate) {
+    const int last = positions.frameCount - 1;
+    std::vector<float> speed(static_cast<std::size_t>(positions.frameCount), 0.0f);
+    for (int frame = 0; last > 0 && frame <= last; ++frame) {
+        const int before = std::max(0, frame - 1);
+        const int after = std::min(last, frame + 1);
+        const float step = (positions.at(after, joint) - positions.at(before, joint)).norm();
+        speed[static_cast<std::size_t>(frame)] =
+            step * static_cast<float>(rate) / static_cast<float>(after - before);
+    }
+    return speed;
+}
+
 FootSkate measureFootSkate(std::span<const Eigen::Vector3f> leftToe,
                            std::span<const Eigen::Vector3f> rightToe, double rate, double floor) {
     FootSkate skate;

@@ -23,6 +23,9 @@ double restHeight(const JointPositions& positions, int joint);
 std::optional<double> floorHeight(const Skeleton& skeleton, const RoleMap& roles,
                                   const JointPositions& positions);
 
+/// Speed of a joint at each frame, central differences (one-sided at the ends), m/s.
+std::vector<float> jointSpeed(const JointPositions& positions, int joint, double rate);
+
 /// Foot skate (expectations, "Numbers to beat"): interval i lies between frames i and i + 1; a
 /// foot skates there if it is less than 5 cm above `floor` in both frames and its horizontal
 /// speed, and the mean of that speed over 0.25 s around it, are both above 0.5 m/s.

@@ -16,25 +16,18 @@ std::shared_ptr<const FighterMotion> deriveMotion(const Fighter& fighter,
     return motion;
 }
 
-/// Speed of the faster foot at each frame, central differences, m/s.
+/// Speed of the faster foot at each frame, m/s.
 std::vector<float> fasterFootSpeed(const Fighter& fighter, const JointPositions& positions) {
-    std::vector<float> speed;
-    const int last = positions.frameCount - 1;
+    std::vector<float> fastest;
     for (const bool left : {true, false}) {
         const auto joint = footPoint(*fighter.motion->skeleton, fighter.roles, left);
-        if (!joint || last < 1) continue;
-        speed.resize(static_cast<std::size_t>(positions.frameCount), 0.0f);
-        for (int frame = 0; frame <= last; ++frame) {
-            const int before = std::max(0, frame - 1);
-            const int after = std::min(last, frame + 1);
-            const float step = (positions.at(after, *joint) - positions.at(before, *joint)).norm();
-            const float own =
-                step * static_cast<float>(fighter.rate) / static_cast<float>(after - before);
-            float& fastest = speed[static_cast<std::size_t>(frame)];
-            fastest = std::max(fastest, own);
-        }
+        if (!joint || positions.frameCount < 2) continue;
+        const std::vector<float> speed = jointSpeed(positions, *joint, fighter.rate);
+        if (fastest.empty()) fastest = speed;
+        std::transform(fastest.begin(), fastest.end(), speed.begin(), fastest.begin(),
+                       [](float a, float b) { return std::max(a, b); });
     }
-    return speed;
+    return fastest;
 }
 
 std::shared_ptr<const FighterBody> deriveBody(const Fighter& fighter, const BodyModel& model,
