@@ -8,7 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/project/json_text.h"
+#include "core/formats/json_text.h"
+#include "core/project/label_json.h"
 
 namespace kumite {
 namespace {
@@ -55,7 +56,8 @@ Json rolesJson(const Fighter& fighter) {
     return json;
 }
 
-Json fighterJson(const Fighter& fighter, const std::filesystem::path& folder) {
+Json fighterJson(const Fighter& fighter, const Vocabulary& vocabulary,
+                 const std::filesystem::path& folder) {
     Json recording = {{"path", storedPath(fighter.recording.path, folder)}};
     if (!fighter.recording.asf.empty()) {
         recording["asf"] = storedPath(fighter.recording.asf, folder);
@@ -78,6 +80,7 @@ Json fighterJson(const Fighter& fighter, const std::filesystem::path& folder) {
     if (fighter.floor) json["floor_m"] = *fighter.floor;
     json["roles"] = rolesJson(fighter);
     json["corrections"] = std::move(corrections);
+    if (!fighter.labels->empty()) json["labels"] = labelTrackJson(*fighter.labels, vocabulary);
     return json;
 }
 
@@ -143,7 +146,8 @@ std::filesystem::path resolved(const std::string& stored, const std::filesystem:
     return stored.empty() ? std::filesystem::path() : (folder / stored).lexically_normal();
 }
 
-Fighter readFighter(const JsonReader& json, const std::filesystem::path& folder) {
+Fighter readFighter(const JsonReader& json, const Vocabulary& vocabulary,
+                    const std::filesystem::path& folder) {
     Fighter fighter;
     const JsonReader recording = json["recording"];
     fighter.recording.path = resolved(recording["path"].text(), folder);
@@ -169,6 +173,7 @@ Fighter readFighter(const JsonReader& json, const std::filesystem::path& folder)
     for (std::size_t i = 0; i < corrections.size(); ++i) {
         fighter.corrections.push_back(readCorrection(corrections.at(i)));
     }
+    if (json.has("labels")) fighter.labels = readLabelTrack(json["labels"], vocabulary);
     return fighter;
 }
 
@@ -230,17 +235,21 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
     for (const Take& take : project.takes) {
         Json fighters = Json::array();
         for (const Fighter& fighter : take.fighters) {
-            fighters.push_back(fighterJson(fighter, folder));
+            fighters.push_back(fighterJson(fighter, *project.labelling.vocabulary, folder));
         }
         takes.push_back({{"name", take.name}, {"fighters", std::move(fighters)}});
     }
-    return prettyJson({{"kumite", kProjectVersion},
-                       {"segmentation",
-                        {{"cutoff_hz", settings.cutoff},
-                         {"prominence_bw", settings.prominence},
-                         {"curve", settings.curve == ForceCurve::Norm ? "norm" : "vertical"}}},
-                       {"body_model", bodyModelJson(project.bodyModel)},
-                       {"takes", std::move(takes)}});
+    Json json = {{"kumite", kProjectVersion},
+                 {"segmentation",
+                  {{"cutoff_hz", settings.cutoff},
+                   {"prominence_bw", settings.prominence},
+                   {"curve", settings.curve == ForceCurve::Norm ? "norm" : "vertical"}}},
+                 {"body_model", bodyModelJson(project.bodyModel)}};
+    if (project.labelling != LabelSettings()) {
+        json["labelling"] = labelSettingsJson(project.labelling);
+    }
+    json["takes"] = std::move(takes);
+    return prettyJson(json);
 }
 
 Project parseProject(std::string_view text, const std::string& name,
@@ -265,6 +274,7 @@ Project parseProject(std::string_view text, const std::string& name,
     Project project;
     project.segmentation = readSettings(reader["segmentation"]);
     project.bodyModel = bodyModelFrom(reader["body_model"]);
+    if (reader.has("labelling")) project.labelling = readLabelSettings(reader["labelling"]);
     const JsonReader takes = reader["takes"];
     for (std::size_t i = 0; i < takes.size(); ++i) {
         Take take;
@@ -278,7 +288,8 @@ Project parseProject(std::string_view text, const std::string& name,
             throw fighters.error("a take has one or two fighters");
         }
         for (std::size_t j = 0; j < fighters.size(); ++j) {
-            take.fighters.push_back(readFighter(fighters.at(j), folder));
+            take.fighters.push_back(
+                readFighter(fighters.at(j), *project.labelling.vocabulary, folder));
         }
         project.takes.push_back(std::move(take));
     }

@@ -59,8 +59,8 @@ TEST(House, CoreKnowsNeitherQtNorVtk) {
 }
 
 TEST(House, RoomsOfCoreKnowOnlyTheRoomsBelowThem) {
-    const std::vector<std::string> order = {"base",         "motion",  "formats",
-                                            "segmentation", "project", "cli"};
+    const std::vector<std::string> order = {"base",      "motion",  "formats", "segmentation",
+                                            "labelling", "project", "cli"};
     const std::map<std::string, std::string> notAllowed = {{"segmentation", "formats"}};
     const auto level = [&](const std::string& room) {
         return std::find(order.begin(), order.end(), room) - order.begin();
@@ -74,6 +74,14 @@ TEST(House, RoomsOfCoreKnowOnlyTheRoomsBelowThem) {
         const auto barred = notAllowed.find(from);
         if (barred == notAllowed.end()) return;
         EXPECT_NE(barred->second, to) << file << " includes " << include;
+    });
+}
+
+TEST(House, OneFileKnowsLibsvm) {
+    forIncludes("core", [](const std::string& file, const std::string& include) {
+        if (file == "core/labelling/msvm.cpp") return;
+        EXPECT_NE(include, "svm.h") << file;
+        EXPECT_NE(include, "libsvm/svm.h") << file;
     });
 }
 
