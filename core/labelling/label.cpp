@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kSources = {"hand", "rule", "machine"};
 constexpr std::string_view kOthers = "others";
+constexpr std::string_view kOpen = "?";
 
 bool isSaid(const Aspect& aspect, int qualifier) {
     return qualifier != kUnknown && qualifier != aspect.fallback.value_or(kUnknown);
@@ -25,13 +26,15 @@ Label othersLabel(const Vocabulary& vocabulary) {
     return label;
 }
 
-std::string labelText(const Vocabulary& vocabulary, const Label& label) {
+std::string labelText(const Vocabulary& vocabulary, const Label& label, bool openToo) {
     std::string text;
     for (std::size_t i = 0; i < label.size(); ++i) {
         const Aspect& aspect = vocabulary.aspects[i];
-        if (!isSaid(aspect, label[i])) continue;
-        text += (text.empty() ? "" : "+") + aspect.id + ":" +
-                aspect.qualifiers[static_cast<std::size_t>(label[i])].id;
+        const bool open = openToo && label[i] == kUnknown && aspect.fallback;
+        if (!open && !isSaid(aspect, label[i])) continue;
+        text +=
+            (text.empty() ? "" : "+") + aspect.id + ":" +
+            (open ? std::string(kOpen) : aspect.qualifiers[static_cast<std::size_t>(label[i])].id);
     }
     return text.empty() ? std::string(kOthers) : text;
 }
@@ -48,8 +51,10 @@ Label parseLabel(const Vocabulary& vocabulary, std::string_view text) {
             throw Error("\"" + std::string(word) + "\" names no aspect of the vocabulary " +
                         vocabulary.name + ".");
         }
-        const auto qualifier =
-            parts.size() == 2 ? vocabulary[*aspect].find(parts[1]) : std::nullopt;
+        const bool open = parts.size() == 2 && parts[1] == kOpen;
+        const auto qualifier = open                ? std::optional<int>(kUnknown)
+                               : parts.size() == 2 ? vocabulary[*aspect].find(parts[1])
+                                                   : std::nullopt;
         if (!qualifier) {
             throw Error("\"" + std::string(word) + "\" names no qualifier of " +
                         vocabulary[*aspect].id + ".");

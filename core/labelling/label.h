@@ -18,11 +18,12 @@ inline constexpr int kUnknown = -1;
 Label othersLabel(const Vocabulary& vocabulary);
 
 /// A label as people spell it: the aspects that are not at their fallback (and known), joined by
-/// `+`: `right_punch:fwd+move:L-R`. "others" if none is left.
-std::string labelText(const Vocabulary& vocabulary, const Label& label);
+/// `+`: `right_punch:fwd+move:L-R`. "others" if none is left. With `openToo` unknown aspects that
+/// have a fallback are spelled `jump:?`, so that parseLabel gives back the same label.
+std::string labelText(const Vocabulary& vocabulary, const Label& label, bool openToo = false);
 
-/// The label that a spelling means; aspects that it leaves out are at their fallback. Throws Error
-/// that says which word is not in the vocabulary.
+/// The label that a spelling means; aspects that it leaves out are at their fallback, `jump:?` is
+/// unknown. Throws Error that says which word is not in the vocabulary.
 Label parseLabel(const Vocabulary& vocabulary, std::string_view text);
 
 /// The label of the same action seen in a mirror.
