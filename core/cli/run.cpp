@@ -24,6 +24,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
         "Frames count from 0 at the first frame of the take; A:B is half-open.\n"
         "`kumite COMMAND --help` shows each command with an example.");
     Action action;
+    addDemo(app, action);
     addInfo(app, action);
     addJoints(app, action);
     addNew(app, action);

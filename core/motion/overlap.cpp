@@ -1,0 +1,83 @@
+#include "core/motion/overlap.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace kumite {
+namespace {
+
+using Eigen::Vector3d;
+
+struct Solid {
+    Role from;
+    Role to;
+    double radius;
+};
+
+constexpr Solid kSolids[] = {
+    {Role::Pelvis, Role::Chest, 0.12},
+    {Role::Chest, Role::Neck, 0.11},
+    {Role::Neck, Role::Head, 0.07},
+    {Role::LeftShoulder, Role::LeftElbow, 0.045},
+    {Role::LeftElbow, Role::LeftWrist, 0.04},
+    {Role::LeftHip, Role::LeftKnee, 0.065},
+    {Role::LeftKnee, Role::LeftAnkle, 0.05},
+    {Role::LeftAnkle, Role::LeftToe, 0.035},
+    {Role::RightShoulder, Role::RightElbow, 0.045},
+    {Role::RightElbow, Role::RightWrist, 0.04},
+    {Role::RightHip, Role::RightKnee, 0.065},
+    {Role::RightKnee, Role::RightAnkle, 0.05},
+    {Role::RightAnkle, Role::RightToe, 0.035},
+};
+
+/// Distance of two line segments (closest points by clamping each parameter in turn).
+double segmentDistance(const Capsule& p, const Capsule& q) {
+    const Vector3d u = p.b - p.a;
+    const Vector3d v = q.b - q.a;
+    const Vector3d w = p.a - q.a;
+    const double uu = u.squaredNorm();
+    const double vv = v.squaredNorm();
+    const double uv = u.dot(v);
+    const double uw = u.dot(w);
+    const double vw = v.dot(w);
+    const double determinant = uu * vv - uv * uv;
+    double s = 0;
+    if (determinant > 1e-12) s = std::clamp((uv * vw - vv * uw) / determinant, 0.0, 1.0);
+    double t = vv > 1e-12 ? (uv * s + vw) / vv : 0.0;
+    if (t < 0 || t > 1) {
+        t = std::clamp(t, 0.0, 1.0);
+        s = uu > 1e-12 ? std::clamp((uv * t - uw) / uu, 0.0, 1.0) : 0.0;
+    }
+    return (w + s * u - t * v).norm();
+}
+
+}  // namespace
+
+std::vector<Capsule> bodyCapsules(const RoleMap& roles, const JointPositions& positions,
+                                  int frame) {
+    std::vector<Capsule> capsules;
+    for (const Solid& solid : kSolids) {
+        if (!roles.has(solid.from) || !roles.has(solid.to)) continue;
+        capsules.push_back({positions.at(frame, *roles[solid.from]).cast<double>(),
+                            positions.at(frame, *roles[solid.to]).cast<double>(), solid.radius});
+    }
+    // The skull goes on beyond the head joint, as far again as the neck is long.
+    if (roles.has(Role::Neck) && roles.has(Role::Head)) {
+        const Vector3d neck = positions.at(frame, *roles[Role::Neck]).cast<double>();
+        const Vector3d head = positions.at(frame, *roles[Role::Head]).cast<double>();
+        capsules.push_back({head, head + (head - neck), 0.09});
+    }
+    return capsules;
+}
+
+double overlap(const std::vector<Capsule>& first, const std::vector<Capsule>& second) {
+    double deepest = -std::numeric_limits<double>::infinity();
+    for (const Capsule& p : first) {
+        for (const Capsule& q : second) {
+            deepest = std::max(deepest, p.radius + q.radius - segmentDistance(p, q));
+        }
+    }
+    return deepest;
+}
+
+}  // namespace kumite

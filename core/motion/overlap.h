@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "core/motion/kinematics.h"
+#include "core/motion/roles.h"
+
+namespace kumite {
+
+/// A limb or trunk as a solid: all points within `radius` of the line from `a` to `b`. Metres.
+struct Capsule {
+    Eigen::Vector3d a = Eigen::Vector3d::Zero();
+    Eigen::Vector3d b = Eigen::Vector3d::Zero();
+    double radius = 0;
+};
+
+/// A body's solids at one frame, from the joints that have roles: trunk, head, arms, legs, feet.
+/// Radii are those of a slim adult, so that what touches is not yet overlapping. Joints without a
+/// role leave their solids out.
+std::vector<Capsule> bodyCapsules(const RoleMap& roles, const JointPositions& positions, int frame);
+
+/// How deep two bodies are in each other: the largest, over all pairs, of the sum of radii less
+/// the distance of the lines. 0 or less: apart. Metres; −infinity for an empty body.
+double overlap(const std::vector<Capsule>& first, const std::vector<Capsule>& second);
+
+}  // namespace kumite

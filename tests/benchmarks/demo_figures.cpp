@@ -1,0 +1,95 @@
+// Measures made bouts against their plan: kumite-demo-figures [SECONDS [SEEDS]]
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "core/base/text.h"
+#include "core/project/demo_bout.h"
+#include "core/project/project_file.h"
+#include "tests/support/bout_figures.h"
+
+namespace {
+
+using namespace kumite;
+using Clock = std::chrono::steady_clock;
+
+double degrees(double radians) {
+    return radians * 180 / std::numbers::pi;
+}
+
+void print(const std::map<std::string, int>& counts, int all) {
+    for (const auto& [name, count] : counts) {
+        std::cout << fmt::format("      {:5.1f} %  {}\n", 100.0 * count / all, name);
+    }
+}
+
+void measure(double seconds, std::uint64_t seed, const std::filesystem::path& folder) {
+    const auto start = Clock::now();
+    const DemoFiles files = writeDemoBout({seconds, 60, seed}, folder);
+    const double making = std::chrono::duration<double>(Clock::now() - start).count();
+    const Project project = loadProject(files.project()).project;
+    const Analysis analysis = analyse(project);
+    std::ifstream file(files.truth());
+    const auto truth = nlohmann::json::parse(file);
+    std::cout << fmt::format("seed {}: {} s made and written in {:.2f} s\n", seed, seconds, making);
+    test::CutFigures sum;
+    for (std::size_t p = 0; p < 2; ++p) {
+        const FighterAnalysis& fighter = analysis.takes[0][p];
+        const test::CutFigures cut = test::compareCut(fighter, truth["players"][p], 60);
+        const test::MotionFigures m = test::measureMotion(fighter);
+        std::cout << fmt::format(
+            "   fighter {}: F1 {:.4f} ({} planned, {} found, {} matched), spurious {} ({:.1f} %), "
+            "in "
+            "top 5 %: {}\n",
+            p + 1, cut.f1(), cut.planned, cut.found, cut.matched, cut.spurious,
+            100.0 * cut.spurious / cut.found, cut.spuriousInTop);
+        std::cout << fmt::format(
+            "      {:.2f} actions/s, vertical force {:.4f}, deviation {:.3f} BW, skate {:.3f}, "
+            "under "
+            "floor {:.1f} mm, knee {:.0f}-{:.0f}, elbow {:.0f}-{:.0f} deg, hand {:.1f} m/s, foot "
+            "{:.1f} m/s\n",
+            m.actionsPerSecond, m.meanVerticalForce, m.forceDeviation, m.skate,
+            1000 * m.deepestUnderFloor, degrees(m.sharpestKnee), degrees(m.straightestKnee),
+            degrees(m.sharpestElbow), degrees(m.straightestElbow), m.fastestHand, m.fastestFoot);
+    }
+    const test::PairFigures pair = test::measurePair(project.takes[0], analysis.takes[0]);
+    std::cout << fmt::format(
+        "   distance {:.2f} / {:.2f} / {:.2f} m; overlap above 3 cm in {:.2f} % of frames, deepest "
+        "{:.1f} cm\n",
+        pair.nearest, pair.mean, pair.farthest, 100 * pair.overlapShare, 100 * pair.deepestOverlap);
+    const test::LabelFigures labels = test::measureLabels(truth);
+    std::cout << fmt::format(
+        "   baseline {:.3f}; information {:.3f} bits (by chance {:.3f}), of range {:.3f} bits\n",
+        labels.baseline, labels.information, labels.informationByChance, labels.informationOfRange);
+    std::map<std::string, int> outcomes;
+    for (const auto& player : truth["players"]) {
+        for (const auto& hit : player["hits"]) {
+            ++outcomes[hit["outcome"].get<std::string>()];
+        }
+    }
+    int hits = 0;
+    for (const auto& [name, count] : outcomes)
+        hits += count;
+    print(outcomes, hits);
+    print(labels.techniques, labels.actions);
+    print(labels.moves, labels.actions);
+    print(labels.reacts, labels.actions);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const double seconds = argc > 1 ? parseNumber(argv[1]).value_or(300) : 300;
+    const int seeds = argc > 2 ? static_cast<int>(parseNumber(argv[2]).value_or(5)) : 5;
+    const auto folder = std::filesystem::temp_directory_path() / "kumite-demo-figures";
+    for (int seed = 1; seed <= seeds; ++seed) {
+        measure(seconds, static_cast<std::uint64_t>(seed), folder);
+    }
+    std::filesystem::remove_all(folder);
+    return 0;
+}
