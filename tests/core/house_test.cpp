@@ -59,8 +59,8 @@ TEST(House, CoreKnowsNeitherQtNorVtk) {
 }
 
 TEST(House, RoomsOfCoreKnowOnlyTheRoomsBelowThem) {
-    const std::vector<std::string> order = {"base",      "motion",  "formats", "segmentation",
-                                            "labelling", "project", "cli"};
+    const std::vector<std::string> order = {"base",         "motion",    "formats", "demo",
+                                            "segmentation", "labelling", "project", "cli"};
     const std::map<std::string, std::string> notAllowed = {{"segmentation", "formats"}};
     const auto level = [&](const std::string& room) {
         return std::find(order.begin(), order.end(), room) - order.begin();

@@ -167,11 +167,11 @@ TEST(LabelsInTheFile, ReadBackTheSameWithSettingsAndVocabulary) {
 
     Vocabulary vocabulary = kickboxing();
     vocabulary.name = "Boxing";
-    std::swap(vocabulary.aspects[0].qualifiers[0], vocabulary.aspects[0].qualifiers[1]);
-    for (auto& qualifier : vocabulary.aspects[0].qualifiers)
-        qualifier.mirror = qualifier.mirror < 2 ? 1 - qualifier.mirror : qualifier.mirror;
-    std::swap(vocabulary.aspects[0].qualifiers[0].mirror,
-              vocabulary.aspects[0].qualifiers[1].mirror);
+    for (const std::size_t punch : {0u, 1u}) {
+        auto& qualifiers = vocabulary.aspects[punch].qualifiers;
+        std::swap(qualifiers[0], qualifiers[1]);
+        std::swap(qualifiers[0].mirror, qualifiers[1].mirror);
+    }
     bout.apply(setVocabulary(bout.project, parseVocabulary(vocabularyText(vocabulary), "boxing")));
     EXPECT_EQ(labelText(*bout.project.labelling.vocabulary,
                         (*bout.project.takes[0].fighters[0].labels)[1].label())

@@ -273,10 +273,12 @@ TEST(Queries, AtRandomBySeed) {
 
 TEST(Queries, StopWhenItIsGoodOrDoesNotGetBetter) {
     EXPECT_FALSE(mayStop({}));
-    EXPECT_FALSE(mayStop(std::vector<double>{0.5, 0.6, 0.7, 0.8}));
-    EXPECT_TRUE(mayStop(std::vector<double>{0.5, 0.98}));
-    EXPECT_TRUE(mayStop(std::vector<double>{0.5, 0.9, 0.9, 0.902, 0.903}));
-    EXPECT_FALSE(mayStop(std::vector<double>{0.9, 0.9, 0.9}));
+    std::vector<double> rounds = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.98};
+    EXPECT_TRUE(mayStop(rounds));
+    rounds.erase(rounds.begin());
+    EXPECT_FALSE(mayStop(rounds)) << "too early to tell";
+    EXPECT_FALSE(mayStop(std::vector<double>{0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.91}));
+    EXPECT_TRUE(mayStop(std::vector<double>{0.5, 0.6, 0.9, 0.9, 0.9, 0.9, 0.902, 0.903}));
 }
 
 TEST(Scores, WorkedOutOnPaper) {
