@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kNearest = 0.84;    ///< between centres of mass, metres
+constexpr double kNearest = 0.86;    ///< between centres of mass, metres
 constexpr double kLastChoice = 1.6;  ///< seconds before the end nothing new is begun
 
 bool isAttack(const Technique& t) {
@@ -79,29 +79,37 @@ void drawDetails(PlannedAction& action, const PlannedAction& before, Player& pla
         ForceDip dip;
         dip.time = action.begin + duration * random.uniform(0.46, 0.54);
         dip.width = random.uniform(0.30, 0.36);
-        dip.depth = random.uniform(0.24, 0.32);
+        dip.depth = random.uniform(0.12, 0.22);
         action.dip = dip;
     }
     action.end = action.begin + std::max(0.36, duration);
-    if (t.jump == Jump::Up) action.flightAtEnd = random.uniform(0.30, 0.36);
+    if (t.jump == Jump::Up) action.flightAtEnd = random.uniform(0.30, 0.34);
     if (t.isOthers() && action.manner == Manner::Hop) {
-        action.flightAtEnd = random.uniform(0.12, 0.16);
+        action.flightAtEnd = random.uniform(0.11, 0.13);
     }
 }
 
-double reachOf(const PlannedAction& action) {
-    if (action.technique.jump == Jump::Up) return 1.22;
-    if (action.technique.kicks()) {
+/// Distance of the centres of mass from which the strike just lands, metres.
+double reachOf(const PlannedAction& action, const Temper& temper) {
+    const Technique& t = action.technique;
+    double reach = action.target == Target::Head ? 0.91 : 0.89;
+    if (t.kicks()) {
+        const bool high = action.target == Target::Head;
         switch (action.style) {
             case KickStyle::Front:
-                return 1.14;
+                reach = high ? 0.90 : 1.03;
+                break;
             case KickStyle::Round:
-                return 1.12;
+                reach = high ? 0.89 : 1.0;
+                break;
             case KickStyle::Knee:
-                return 0.88;
+                reach = 0.76;
+                break;
         }
+        if (t.legOutAtEnd(leadOf(temper))) reach -= 0.05;
+        if (t.jump == Jump::Up) reach += 0.05;
     }
-    return action.target == Target::Head ? 0.97 : 0.93;
+    return reach * temper.reach;
 }
 
 /// Where to be at the action's end. `opponent`: where the other is expected then.
@@ -117,14 +125,15 @@ Vector2d stationFor(const PlannedAction& action, const Vector2d& here, const Vec
     double sideways = random.normal(0, 0.03);
     const Technique& t = action.technique;
     if (isAttack(t)) {
-        ahead += std::max(-0.12, distance - reachOf(action));
+        ahead += std::max(-0.12, distance - reachOf(action, temper));
     } else if (!t.isOthers()) {
-        ahead += std::clamp(0.25 * (distance - 1.05), -0.12, 0.06);
+        ahead += t.punches() ? 0.0
+                             : std::clamp(0.4 * (distance - temper.preferredDistance), -0.14, 0.05);
     } else {
         const double homing = distance - temper.preferredDistance;
         switch (action.manner) {
             case Manner::Guard:
-                ahead += 0.3 * homing;
+                ahead += 0.4 * homing;
                 break;
             case Manner::Feint:
                 ahead += 0.10 + 0.2 * homing;
@@ -133,11 +142,11 @@ Vector2d stationFor(const PlannedAction& action, const Vector2d& here, const Vec
                 ahead += std::max(0.12, 0.7 * homing);
                 break;
             case Manner::StepOut:
-                ahead += std::min(-0.15, 0.8 * homing);
+                ahead += std::min(-0.18, 0.9 * homing);
                 break;
             case Manner::Circle:
                 sideways += (random.chance(0.5) ? 1 : -1) * random.uniform(0.22, 0.4);
-                ahead += 0.3 * homing;
+                ahead += 0.4 * homing;
                 break;
             case Manner::Hop:
                 sideways += random.normal(0, 0.10);
@@ -200,7 +209,7 @@ void beginNext(Player& mover, const Player& opponent, double seconds) {
         }
     }
     if (next.technique.isOthers()) {
-        const auto manners = nextManner(mover.script.temper, inProgress, range);
+        const auto manners = nextManner(mover.script.temper, before.manner, inProgress, range);
         const bool late = next.begin >= seconds - kLastChoice;
         next.manner = late ? Manner::Guard : static_cast<Manner>(mover.random.pick(manners));
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace kumite::demo {
 namespace {
@@ -21,37 +22,47 @@ constexpr Polynomial smoothStep() {
     return p;
 }
 
-/// p · (1 − 2s).
-Polynomial timesU(const Polynomial& p) {
+Polynomial times(const Polynomial& a, const Polynomial& b) {
     Polynomial product{};
-    for (std::size_t k = 0; k < p.size(); ++k) {
-        product[k] += p[k];
-        if (k + 1 < p.size()) product[k + 1] -= 2 * p[k];
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t k = 0; i + k < product.size(); ++k)
+            product[i + k] += a[i] * b[k];
     }
     return product;
 }
 
-/// The peak of an action, of height 1: even, (1 − u²ⁿ)², and odd, u times that; u = 1 − 2s.
+/// ∫ p over 0…1, and ∫ (1−s) p.
+double integralOf(const Polynomial& p) {
+    double sum = 0;
+    for (std::size_t k = 0; k < p.size(); ++k)
+        sum += p[k] / static_cast<double>(k + 1);
+    return sum;
+}
+double momentOf(const Polynomial& p) {
+    double sum = 0;
+    for (std::size_t k = 0; k < p.size(); ++k)
+        sum += p[k] / static_cast<double>((k + 1) * (k + 2));
+    return sum;
+}
+
+/// The peak of an action, of height 1, and the same times u = 1 − 2s, which shifts it.
 struct Peak {
+    /// (1 − u²ⁿ)².
     explicit Peak(int n) {
-        const double m = 2.0 * n;
-        integral = 1 - 2 / (m + 1) + 1 / (2 * m + 1);
-        oddMoment = (1.0 / 3 - 2 / (m + 3) + 1 / (2 * m + 3)) / 2;
-        Polynomial power{};  // uᵏ
-        power[0] = 1;
-        for (int k = 0; k <= 4 * n; ++k) {
-            const double factor = k == 0 ? 1.0 : (k == 2 * n ? -2.0 : (k == 4 * n ? 1.0 : 0.0));
-            for (std::size_t i = 0; i < even.size(); ++i)
-                even[i] += factor * power[i];
-            power = timesU(power);
-        }
-        odd = timesU(even);
+        constexpr Polynomial one = {1};
+        constexpr Polynomial u = {1, -2};
+        Polynomial power = one;  // u²ⁿ
+        for (int k = 0; k < 2 * n; ++k)
+            power = times(power, u);
+        Polynomial arch = one;
+        for (std::size_t k = 0; k < arch.size(); ++k)
+            arch[k] -= power[k];
+        even = times(arch, arch);
+        odd = times(even, u);
     }
 
     Polynomial even{};
     Polynomial odd{};
-    double integral = 0;   ///< of the even part; its moment with (1−s) is half of that
-    double oddMoment = 0;  ///< of (1−s) times the odd part, whose integral is 0
 };
 
 const Peak& peakFor(double duration) {
@@ -92,6 +103,7 @@ struct Contact {
     Vector3d endVelocity;
     double startForce = 0;
     double endForce = 0;
+    const Peak* peak = nullptr;
 
     double duration() const { return end - begin; }
 };
@@ -110,11 +122,39 @@ Contact contactOf(const ComKnot& from, const ComKnot& to) {
         to.position - to.velocity * after - Vector3d(0, kGravity * after * after / 2, 0);
     c.startForce = before > 0 ? 0.0 : from.force;
     c.endForce = after > 0 ? 0.0 : to.force;
+    c.peak = &peakFor(c.duration());
     return c;
 }
 
-/// Even and odd part of the vertical force, in body weights.
-Shape verticalShape(const Contact& c, const std::optional<ForceDip>& dip) {
+/// The parts whose integral is `sum` and whose moment is `way`.
+Shape solve(const Peak& peak, double sum, double way) {
+    const double ie = integralOf(peak.even);
+    const double io = integralOf(peak.odd);
+    const double me = momentOf(peak.even);
+    const double mo = momentOf(peak.odd);
+    const double determinant = ie * mo - io * me;
+    return {(sum * mo - way * io) / determinant, (ie * way - me * sum) / determinant};
+}
+
+/// With the odd part within what `limit` says of the even one: the integral holds, the moment
+/// gives way.
+template <typename Limit>
+Shape limited(const Peak& peak, double sum, Shape shape, const Limit& limit) {
+    for (int round = 0; round < 8 && std::abs(shape.odd) > limit(shape.even); ++round) {
+        shape.odd = std::copysign(limit(shape.even), shape.odd);
+        shape.even = (sum - shape.odd * integralOf(peak.odd)) / integralOf(peak.even);
+    }
+    return shape;
+}
+
+/// How strong the odd part may be for the whole to keep one peak.
+double oddLimit(const Contact& c, double even) {
+    return std::max(0.0, 0.9 * (even - 0.2 * std::abs(c.endForce - c.startForce)));
+}
+
+/// Even and odd part of the vertical force, in body weights, and whether they do all that was
+/// asked for.
+std::pair<Shape, bool> verticalShape(const Contact& c, const std::optional<ForceDip>& dip) {
     const double duration = c.duration();
     const double speedGain = (c.endVelocity.y() - c.startVelocity.y()) / (kGravity * duration);
     const double climb =
@@ -127,50 +167,44 @@ Shape verticalShape(const Contact& c, const std::optional<ForceDip>& dip) {
         dipIntegral = dip->depth * dipOnce(u) * dip->width / duration;
         dipMoment = dip->depth * dipTwice(u) * dip->width * dip->width / (duration * duration);
     }
-    Shape shape;
-    const Peak& peak = peakFor(duration);
-    shape.even = (1 + speedGain - (c.startForce + c.endForce) / 2 + dipIntegral) / peak.integral;
-    shape.odd = (0.5 + climb - c.startForce / 2 - kStepMoment * (c.endForce - c.startForce) -
-                 shape.even * peak.integral / 2 + dipMoment) /
-                peak.oddMoment;
-    return shape;
-}
-
-/// How strong the odd part may be for the whole to keep one peak.
-double oddLimit(const Contact& c, double even) {
-    return std::max(0.0, 0.9 * (even - 0.2 * std::abs(c.endForce - c.startForce)));
+    // Two equations: what the force must add up to for the speed, and for the way.
+    const double sum = 1 + speedGain - (c.startForce + c.endForce) / 2 + dipIntegral;
+    const double way =
+        0.5 + climb - c.startForce / 2 - kStepMoment * (c.endForce - c.startForce) + dipMoment;
+    const Shape wish = solve(*c.peak, sum, way);
+    const bool fits = std::abs(wish.odd) <= oddLimit(c, wish.even);
+    const auto limit = [&](double even) { return oddLimit(c, even); };
+    return {fits ? wish : limited(*c.peak, sum, wish, limit), fits};
 }
 
 /// Lowers the knots' forces until every action has a clear peak between its ends.
 void makeRoomForPeaks(std::vector<ComKnot>& knots,
                       const std::vector<std::optional<ForceDip>>& dips) {
     constexpr double kLowest = 0.32;
-    constexpr double kRise = 0.16;  // of the peak above its higher end, body weights
+    constexpr double kRise = 0.11;  // of the peak above its higher end, body weights
     for (int round = 0; round < 12; ++round) {
         for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
             const Contact c = contactOf(knots[i], knots[i + 1]);
-            const Shape shape = verticalShape(c, dips[i]);
+            const auto [shape, fits] = verticalShape(c, dips[i]);
             const double rise = shape.even - std::abs(c.endForce - c.startForce) / 2;
-            if (rise >= kRise && std::abs(shape.odd) <= oddLimit(c, shape.even)) continue;
-            for (ComKnot* knot : {&knots[i], &knots[i + 1]}) {
-                knot->force = std::max(kLowest, knot->force - 0.04);
+            if (rise >= kRise && fits) continue;
+            for (const std::size_t k : {i, i + 1}) {
+                if (k == 0 || k + 1 == knots.size()) continue;  // nothing to be lighter than
+                knots[k].force = std::max(kLowest, knots[k].force - 0.04);
             }
         }
     }
 }
 
 /// Even and odd part along x or z, m/s², weak enough to leave the vertical force its one peak.
-Shape horizontalShape(double start, double startSpeed, double end, double endSpeed,
-                      double duration) {
+Shape horizontalShape(const Peak& peak, double start, double startSpeed, double end,
+                      double endSpeed, double duration) {
     constexpr double kStrongestEven = 0.42 * kGravity;
     constexpr double kStrongestOdd = 1.05 * kGravity;  // its own peak is 0.29 of that
-    const Peak& peak = peakFor(0);
-    Shape shape;
-    shape.even = std::clamp((endSpeed - startSpeed) / duration / peak.integral, -kStrongestEven,
-                            kStrongestEven);
     const double way = (end - start - startSpeed * duration) / (duration * duration);
-    shape.odd = std::clamp((way - shape.even * peak.integral / 2) / peak.oddMoment, -kStrongestOdd,
-                           kStrongestOdd);
+    const double sum = (endSpeed - startSpeed) / duration;
+    Shape shape = limited(peak, sum, solve(peak, sum, way), [](double) { return kStrongestOdd; });
+    shape.even = std::clamp(shape.even, -kStrongestEven, kStrongestEven);
     return shape;
 }
 
@@ -249,15 +283,13 @@ ComPath::ComPath(std::vector<ComKnot>& knots, const std::vector<std::optional<Fo
         piece.position = c.startPosition;
         piece.velocity = c.startVelocity;
         piece.dip = dips[i];
-        Shape y = verticalShape(c, dips[i]);
-        const double limit = oddLimit(c, y.even);
-        y.odd = std::clamp(y.odd, -limit, limit);
-        const Shape x = horizontalShape(c.startPosition.x(), c.startVelocity.x(), c.endPosition.x(),
-                                        c.endVelocity.x(), piece.duration);
-        const Shape z = horizontalShape(c.startPosition.z(), c.startVelocity.z(), c.endPosition.z(),
-                                        c.endVelocity.z(), piece.duration);
-        const Peak& up = peakFor(piece.duration);
+        const Shape y = verticalShape(c, dips[i]).first;
         const Peak& along = peakFor(0);
+        const Shape x = horizontalShape(along, c.startPosition.x(), c.startVelocity.x(),
+                                        c.endPosition.x(), c.endVelocity.x(), piece.duration);
+        const Shape z = horizontalShape(along, c.startPosition.z(), c.startVelocity.z(),
+                                        c.endPosition.z(), c.endVelocity.z(), piece.duration);
+        const Peak& up = *c.peak;
         constexpr Polynomial kStep = smoothStep();
         for (std::size_t k = 0; k < piece.acceleration.size(); ++k) {
             const double vertical =

@@ -16,7 +16,7 @@ struct ComKnot {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< metres, y up
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< m/s
     double force = 0.8;                                  ///< vertical, body weights: a minimum
-    double flight = 0;  ///< seconds without ground about this moment (half before, half after)
+    double flight = 0;  ///< seconds without any force about this moment (half before, half after)
 };
 
 /// A dip in the force of one action, which cuts it in two where it should not.

@@ -20,14 +20,14 @@ struct Wish {
     double travel = 0.8;  ///< share of the stations' speed that it keeps
 };
 
-Wish wishAt(const PlannedAction& ending, const PlannedAction& beginning) {
+Wish wishAt(const PlannedAction& ending, const PlannedAction& beginning, Side lead) {
     Wish wish;
     const Technique& t = ending.technique;
     for (const Side side : {Side::Left, Side::Right}) {
         const double outward = side == Side::Left ? 1.0 : -1.0;
         if (t.legOutAtEnd(side)) {
-            wish.left -= 0.09 * outward;  // over the foot that carries
-            wish.ahead -= ending.style == KickStyle::Round ? 0.02 : 0.04;
+            wish.left -= 0.09 * outward;                // over the foot that carries
+            wish.ahead += side == lead ? -0.01 : 0.07;  // the rear leg takes the hips along
             const bool low = ending.target == Target::Leg;
             wish.up += (low ? 0.025 : (ending.target == Target::Head ? 0.065 : 0.05));
             wish.travel = 0.3;
@@ -68,8 +68,8 @@ Wish wishAt(const PlannedAction& ending, const PlannedAction& beginning) {
 /// The longer an action, the smaller its swings in force: the body would bob too far otherwise.
 double lightest(const PlannedAction& a, const PlannedAction& b, Random& random) {
     const double longest = std::max(a.duration(), b.duration());
-    const double swing = 0.13 / longest * random.uniform(0.75, 1.2);
-    return 1.0 - std::clamp(swing, 0.13, 0.36);
+    const double swing = 0.13 / longest * random.uniform(0.5, 1.25);
+    return 1.0 - std::clamp(swing, 0.07, 0.36);
 }
 
 }  // namespace
@@ -92,10 +92,13 @@ ComPath planCentreOfMass(const Script& script, const Script& opponent, double he
         const Vector2d station = first ? script.start : actions[i - 1].station;
         Wish wish;
         if (!first && !last) {
-            wish = wishAt(actions[i - 1], actions[i]);
+            wish = wishAt(actions[i - 1], actions[i], leadOf(script.temper));
             knot.force = lightest(actions[i - 1], actions[i], random);
-            knot.flight = actions[i - 1].flightAtEnd;
+            // Feet leave the ground a little before all force is gone.
+            const double flight = actions[i - 1].flightAtEnd;
+            knot.flight = flight > 0 ? flight - 0.06 : 0.0;
         }
+        if (first || last) knot.force = 1;
         wish.up += random.normal(0, 0.006);
         const double facing = yawToward(station, opponent.stationAt(knot.time));
         const Vector2d forward(std::sin(facing), std::cos(facing));

@@ -86,7 +86,7 @@ Figure figureAt(const FighterPlan& plan, const ComPath& opponent, double time) {
 double guardHeightOf(const BodySize& size) {
     // At its lightest, when the body is highest: knees bent to about 150°, the trunk a little
     // ahead; the centre of mass lies above the hips.
-    return 0.965 * size.legLength() + size.ankleHeight + size.hipDrop + 0.02;
+    return 0.98 * size.legLength() + size.ankleHeight + size.hipDrop + 0.02;
 }
 
 }  // namespace kumite::demo

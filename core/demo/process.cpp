@@ -58,9 +58,9 @@ double jumpWeight(const Temper& temper, const Technique& next, Range range, Thre
 double weightFromGuard(const Temper& temper, const Technique& next, Threat threat, Range range,
                        bool justStruck) {
     if (next.isOthers()) {
-        double weight = at({0.30, 0.38, 0.62}, range);
-        if (threat == Threat::Punch) weight *= 2.2;
-        if (threat == Threat::Kick) weight *= 2.6;
+        double weight = at({0.62, 0.80, 1.3}, range);
+        if (threat == Threat::Punch) weight *= 2.0;
+        if (threat == Threat::Kick) weight *= 2.2;
         if (threat == Threat::Open) weight *= 0.7;
         return justStruck ? 1.6 * weight : weight;
     }
@@ -108,8 +108,8 @@ const char* name(Range range) {
 }
 
 Range rangeOf(double distance) {
-    if (distance < 1.15) return Range::Near;
-    return distance < 1.5 ? Range::Middle : Range::Far;
+    if (distance < 1.08) return Range::Near;
+    return distance < 1.4 ? Range::Middle : Range::Far;
 }
 
 Temper drawTemper(std::uint64_t seed, int player) {
@@ -121,15 +121,16 @@ Temper drawTemper(std::uint64_t seed, int player) {
     t.punching = boxer;
     t.kicking = 1.0 / boxer;
     t.aggression = random.uniform(0.9, 1.2);
-    t.jumping = player == 0 ? random.uniform(0.6, 1.0) : random.uniform(1.1, 1.8);
+    t.jumping = player == 0 ? random.uniform(0.5, 0.8) : random.uniform(0.8, 1.2);
     t.combining = random.uniform(0.8, 1.3);
     t.leading = random.uniform(0.8, 1.3);
+    t.reach = player == 0 ? 1.0 : 0.96;
     t.speed = random.uniform(0.92, 1.1);
     t.guardHeight = random.uniform(-0.05, 0.05);
     t.crouch = random.uniform(0.0, 0.03);
     t.wanderlust = random.uniform(0.85, 1.2);
     t.reaction = random.uniform(0.19, 0.25);
-    t.preferredDistance = random.uniform(1.22, 1.4);
+    t.preferredDistance = random.uniform(1.32, 1.48);
     return t;
 }
 
@@ -152,7 +153,8 @@ std::vector<double> nextTechnique(const Temper& temper, const Technique& own,
     return weights;
 }
 
-std::vector<double> nextManner(const Temper& temper, const Technique& opponent, Range range) {
+std::vector<double> nextManner(const Temper& temper, Manner before, const Technique& opponent,
+                               Range range) {
     //                            guard in   out  circle hop  feint block slip duck retreat
     std::vector<double> weights;
     switch (threatOf(opponent)) {
@@ -171,10 +173,11 @@ std::vector<double> nextManner(const Temper& temper, const Technique& opponent, 
         weights[static_cast<std::size_t>(manner)] *= factor;
     };
     scale(Manner::StepIn, at({0.15, 1.0, 3.0}, range));
-    scale(Manner::StepOut, at({2.0, 1.0, 0.1}, range));
+    scale(Manner::StepOut, at({3.0, 1.0, 0.1}, range));
     scale(Manner::Retreat, at({1.3, 1.0, 0.2}, range));
     scale(Manner::Feint, at({1.0, 1.2, 0.3}, range));
     scale(Manner::Circle, temper.wanderlust);
+    if (before == Manner::Hop) scale(Manner::Hop, 5);
     scale(Manner::Hop, temper.wanderlust * at({0.5, 1.0, 1.2}, range));
     normalise(weights);
     return weights;

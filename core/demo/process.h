@@ -23,6 +23,7 @@ struct Temper {
     double jumping = 1;              ///< of jumps
     double combining = 1;            ///< of going on after a strike
     double leading = 1;              ///< of the leading against the rear side
+    double reach = 1;                ///< of arms and legs against the larger body
     double speed = 1;                ///< of actions
     double guardHeight = 0;          ///< metres above the usual guard
     double crouch = 0;               ///< metres below the usual height
@@ -42,7 +43,9 @@ Side leadOf(const Temper& temper);
 std::vector<double> nextTechnique(const Temper& temper, const Technique& own,
                                   const Technique& opponent, Range range);
 
-/// The same for the manner of an action of others, one number per Manner.
-std::vector<double> nextManner(const Temper& temper, const Technique& opponent, Range range);
+/// The same for the manner of an action of others, one number per Manner; `before` is that of the
+/// own action that ends. Whoever bounces bounces on.
+std::vector<double> nextManner(const Temper& temper, Manner before, const Technique& opponent,
+                               Range range);
 
 }  // namespace kumite::demo

@@ -15,7 +15,7 @@ using Matrix = Eigen::Matrix<double, kFeatures, kFeatures>;
 /// What is believed before anybody corrected anything: about 2 % of minima are spurious (paper A,
 /// section 3.1); more so the shallow, high and crowded ones, and those under a foot in flight.
 Vector priorWeights() {
-    return Vector(-4.0, -1.2, 0.8, -0.8, 0.6);
+    return Vector(-4.5, -1.6, 6.0, -0.8, 0.2);
 }
 
 /// How firmly it is believed: corrections outweigh it after a handful.
