@@ -15,7 +15,7 @@
 namespace kumite {
 namespace {
 
-/// The grid, most usual values first: the score of few examples is noisy, so that others must be
+/// The grid, the usual values first: the score of few examples is noisy, so that others must be
 /// clearly better.
 constexpr std::array<double, 4> kSearchC = {16.0, 4.0, 64.0, 256.0};
 constexpr std::array<double, 5> kSearchGamma = {0.5, 0.25, 0.125, 1.0, 0.0625};  // per dimension
@@ -49,6 +49,12 @@ std::vector<bool> stratifiedPart(std::span<const int> classes, std::size_t most,
     for (std::size_t i = 0; i < in.size(); ++i)
         in[i] = part[i] == 0;
     return in;
+}
+
+/// The highest score, if it is better than that at `usual` by more than `margin`; else `usual`.
+std::size_t clearlyBest(const std::vector<double>& scores, std::size_t usual, double margin) {
+    const auto best = std::max_element(scores.begin(), scores.end());
+    return *best > scores[usual] + margin ? static_cast<std::size_t>(best - scores.begin()) : usual;
 }
 
 /// Mean of accuracy and of the mean recall of the classes: a machine that calls everything
@@ -139,10 +145,12 @@ ParameterSet TrainingSet::searchParameters(const Progress& progress) const {
     if (data.examples.empty()) return best;
     struct Search {
         const LearningTask* task;
-        std::vector<bool> in;    ///< examples that take part
-        std::vector<int> folds;  ///< of every example
-        double bestScore = -1;
+        std::vector<bool> in;        ///< examples that take part
+        std::vector<int> folds;      ///< of every example
+        std::vector<double> scores;  ///< of every point of the grid
+        int judged = 0;              ///< answers behind a score
     };
+    std::vector<MsvmParameters> grid;
     std::vector<Search> searches;
     for (const LearningTask& task : data.tasks) {
         std::vector<int> classes;
@@ -177,14 +185,31 @@ ParameterSet TrainingSet::searchParameters(const Progress& progress) const {
                             *truth, machine.predictRow(kernel, static_cast<int>(i)).choice);
                     }
                 }
-                const double found = answers.empty() ? 0 : score(answers);
-                if (found <= search.bestScore + kClearlyBetter) continue;
-                search.bestScore = found;
-                best[static_cast<std::size_t>(search.task->slot)] = {c, kernel.gamma()};
+                search.scores.push_back(answers.empty() ? 0 : score(answers));
+                search.judged = static_cast<int>(answers.size());
             }
         }
+        for (const double c : kSearchC)
+            grid.push_back({c, kernel.gamma()});
     }
     progress.update(1.0);
+    if (searches.empty()) return best;
+    // What is best for all aspects together rests on the most answers; an aspect goes its own way
+    // only where that is better by more than chance.
+    std::vector<double> together(grid.size(), 0.0);
+    for (const Search& search : searches) {
+        for (std::size_t i = 0; i < grid.size(); ++i)
+            together[i] += search.scores[i] / static_cast<double>(searches.size());
+    }
+    const std::size_t common = clearlyBest(together, 0, kClearlyBetter);
+    std::fill(best.begin(), best.end(), grid[common]);
+    for (const Search& search : searches) {
+        const double wrong = 1 - search.scores[common];
+        const double n = search.judged;
+        const double chance = 2 * std::sqrt((wrong * (1 - wrong) + 1 / n) / n);
+        best[static_cast<std::size_t>(search.task->slot)] =
+            grid[clearlyBest(search.scores, common, chance)];
+    }
     return best;
 }
 

@@ -86,9 +86,15 @@ int QueryQueue::mostRepresentative(const std::vector<int>& among,
 }
 
 std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
-                                  const Predictions* predictions) const {
+                                  const Predictions* predictions) {
+    bool takenBack = counted_.size() != answered.size();
+    for (std::size_t i = 0; !takenBack && i < answered.size(); ++i)
+        takenBack = counted_[i] && !answered[i];
+    if (takenBack) {
+        counted_.assign(answered.size(), false);
+        nearest_.assign(answered.size(), kFar);
+    }
     std::vector<int> open;
-    std::vector<double> nearest(answered.size(), kFar);  // to what is answered or asked
     // Nothing is nearer than the farthest at first.
     Eigen::RowVectorXf covered = Eigen::RowVectorXf::Constant(
         toReferences_.cols(), toReferences_.size() > 0 ? toReferences_.maxCoeff() : 0.0f);
@@ -97,7 +103,8 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
             open.push_back(static_cast<int>(i));
         } else {
             covered = covered.cwiseMin(toReferences_.row(static_cast<Eigen::Index>(i)));
-            if (predictions) keepNearest(nearest, distancesTo(static_cast<int>(i)));
+            if (!counted_[i]) keepNearest(nearest_, distancesTo(static_cast<int>(i)));
+            counted_[i] = true;
         }
     }
     std::vector<int> batch;
@@ -126,6 +133,7 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
             std::erase(least, row);
         }
     }
+    std::vector<double> nearest = nearest_;  // also to what this batch asks
     // At first what stands for many; later what is like nothing shown so far.
     while (batch.size() < size) {
         keepNearest(nearest, toBatch);

@@ -28,7 +28,7 @@ public:
     /// spread over feature space so that one batch does not ask the same question twice. Without
     /// predictions (nothing labelled yet) rows that stand for most of all. `answered`: one per row.
     std::vector<int> next(const std::vector<bool>& answered,
-                          const Predictions* predictions = nullptr) const;
+                          const Predictions* predictions = nullptr);
 
 private:
     std::vector<double> distancesTo(int row) const;
@@ -38,6 +38,9 @@ private:
     FeatureMatrix mirrors_;
     /// Distance of every row to every reference: every so many rows, at most a thousand.
     FeatureMatrix toReferences_;
+    /// How near every row is to what is answered; kept from call to call.
+    std::vector<double> nearest_;
+    std::vector<bool> counted_;  ///< rows that `nearest_` knows to be answered
     QuerySettings settings_;
 };
 

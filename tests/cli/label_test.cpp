@@ -30,7 +30,7 @@ protected:
 
     void SetUp() override {
         const std::string out = (folder / "demo").string();
-        ASSERT_EQ(kumite({"demo", "--out", out, "--seconds", "60", "--seed", "3"}).code, 0);
+        ASSERT_EQ(kumite({"demo", "--out", out, "--seconds", "40", "--seed", "3"}).code, 0);
         project = out + "/demo.kumite";
         truth = out + "/truth.json";
     }
@@ -81,7 +81,7 @@ TEST_F(LabelCommand, ImportsLearnsAndWrites) {
     const std::string part = (folder / "half.csv").string();
     test::writeText(part, half);
     ASSERT_EQ(
-        kumite({"demo", "--out", (folder / "demo").string(), "--seconds", "60", "--seed", "3"})
+        kumite({"demo", "--out", (folder / "demo").string(), "--seconds", "40", "--seed", "3"})
             .code,
         0);
     const auto some = json({"label", project, "--import", part, "--json"});

@@ -239,7 +239,7 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
     Predictions predictions{7, std::vector<Prediction>(7 * 40)};
     for (int i = 0; i < 40; ++i)
         predictions.at(i, 0) = {0, i < 20 ? 0.01 : 0.02, 0, false};
-    const QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true});
     const auto batch = queue.next(std::vector<bool>(40, false), &predictions);
     ASSERT_EQ(batch.size(), 10u);
     EXPECT_EQ(std::set<int>(batch.begin(), batch.end()).size(), 10u);
@@ -252,7 +252,7 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
 
 TEST(Queries, NeverAskTwiceAndEndWhenAllIsAnswered) {
     const MadeActions made(23);
-    const QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true});
     std::vector<bool> answered(23, false);
     for (const std::size_t size : {10u, 10u, 3u, 0u}) {
         const auto batch = queue.next(answered);
