@@ -19,7 +19,7 @@ namespace {
 /// clearly better.
 constexpr std::array<double, 4> kSearchC = {16.0, 4.0, 64.0, 256.0};
 constexpr std::array<double, 5> kSearchGamma = {0.5, 0.25, 0.125, 1.0, 0.0625};  // per dimension
-constexpr double kClearlyBetter = 0.005;
+constexpr double kClearlyBetter = 0.02;
 constexpr std::size_t kSearchExamples = 300;
 
 std::vector<int> rowsOf(const std::vector<Example>& examples) {
@@ -145,10 +145,10 @@ ParameterSet TrainingSet::searchParameters(const Progress& progress) const {
     if (data.examples.empty()) return best;
     struct Search {
         const LearningTask* task;
-        std::vector<bool> in;        ///< examples that take part
-        std::vector<int> folds;      ///< of every example
-        std::vector<double> scores;  ///< of every point of the grid
-        int judged = 0;              ///< answers behind a score
+        std::vector<bool> in;             ///< examples that take part
+        std::vector<int> folds;           ///< of every example
+        std::vector<double> scores = {};  ///< of every point of the grid
+        int judged = 0;                   ///< answers behind a score
     };
     std::vector<MsvmParameters> grid;
     std::vector<Search> searches;

@@ -9,19 +9,10 @@
 #include "core/base/progress.h"
 #include "core/labelling/features.h"
 #include "core/labelling/label.h"
+#include "core/labelling/learning_settings.h"
 #include "core/labelling/msvm.h"
 
 namespace kumite {
-
-/// How the aspects that are not left to rules are learnt (method A4).
-struct LearningSettings {
-    bool mirrored = true;    ///< every example also counts as its mirror image
-    bool limbFirst = false;  ///< first which limbs strike, then what each of them does
-    int folds = 5;           ///< of every cross-validation
-    std::uint32_t seed = 1;
-
-    bool operator==(const LearningSettings&) const = default;
-};
 
 /// What a hand said about the action in a row of the feature matrix. Unknown aspects do not train.
 struct Example {
@@ -53,9 +44,6 @@ struct Predictions {
         return const_cast<Prediction&>(std::as_const(*this).at(row, aspect));
     }
 };
-
-/// C and γ per aspect of the vocabulary, and one more for "which limbs" (limb first).
-using ParameterSet = std::vector<MsvmParameters>;
 
 /// The examples in standardised form with their distances, shared by every aspect, every fold and
 /// every C and γ: what makes a round quick. Refers to the vocabulary and the features.

@@ -6,16 +6,9 @@
 #include <vector>
 
 #include "core/labelling/features.h"
+#include "core/labelling/learning_settings.h"
 
 namespace kumite {
-
-/// Parameters of a C-SVC with the kernel exp(−γ d²).
-struct MsvmParameters {
-    double c = 16.0;
-    double gamma = 0.5 / kFeatureCount;
-
-    bool operator==(const MsvmParameters&) const = default;
-};
 
 /// A kernel over training rows, made once per γ and shared by all aspects, folds and values of C.
 class MsvmKernel {

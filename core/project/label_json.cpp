@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/labelling/learner.h"
+
 namespace kumite {
 namespace {
 

@@ -4,7 +4,8 @@
 #include <string>
 
 #include "core/base/shared_value.h"
-#include "core/labelling/learner.h"
+#include "core/labelling/label.h"
+#include "core/labelling/learning_settings.h"
 #include "core/labelling/rules.h"
 #include "core/labelling/vocabulary.h"
 
