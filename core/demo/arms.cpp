@@ -78,9 +78,12 @@ void poseArms(const FighterPlan& plan, const Posture& posture, double facing, do
                                   clavicle * Vector3d(size.clavicle * x, 0.02, 0);
         const Vector3d way = arm.knuckles - shoulder;
         const Vector3d wrist = arm.knuckles - size.hand * way.normalized();
-        const double flare = 0.35 + 0.9 * std::max(0.0, arm.hook);
-        const Vector3d pole =
-            chest * Vector3d(x * flare, -1.0 + 0.9 * std::max(0.0, arm.hook), -0.25);
+        // Where the elbow points is carried along from an arm held ahead, by the shortest way: no
+        // direction that an arm can take turns it over.
+        const double hook = std::max(0.0, arm.hook);
+        const Vector3d ahead = chest * Vector3d(0, -0.3, 1).normalized();
+        const Vector3d elbow = chest * Vector3d(x * (0.4 + 0.8 * hook), -1.0 + 0.8 * hook, -0.3);
+        const Vector3d pole = Eigen::Quaterniond::FromTwoVectors(ahead, wrist - shoulder) * elbow;
         const TwoBone bones = bend(shoulder, wrist, pole, size.upperArm, size.forearm);
         const Vector3d upper = bones.middle - shoulder;
         const Vector3d lower = bones.end - bones.middle;

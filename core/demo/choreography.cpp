@@ -8,7 +8,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kNearest = 0.86;    ///< between centres of mass, metres
+constexpr double kNearest = 0.88;    ///< between centres of mass, metres
 constexpr double kLastChoice = 1.6;  ///< seconds before the end nothing new is begun
 
 bool isAttack(const Technique& t) {
@@ -107,6 +107,7 @@ double reachOf(const PlannedAction& action, const Temper& temper) {
                 break;
         }
         if (t.legOutAtEnd(leadOf(temper))) reach -= 0.05;
+        reach -= 0.05;  // better too near than short
         if (t.jump == Jump::Up) reach += 0.05;
     }
     return reach * temper.reach;
@@ -174,7 +175,9 @@ Vector2d stationFor(const PlannedAction& action, const Vector2d& here, const Vec
     if (move.norm() > fastest) move *= fastest / move.norm();
     Vector2d there = here + move;
     const Vector2d gap = there - opponent;
-    if (gap.norm() < kNearest) there = opponent + gap.normalized() * kNearest;
+    const bool knee = t.kicks() && action.style == KickStyle::Knee;
+    const double nearest = knee ? 0.74 : kNearest;
+    if (gap.norm() < nearest) there = opponent + gap.normalized() * nearest;
     return there;
 }
 

@@ -26,10 +26,10 @@ Wish wishAt(const PlannedAction& ending, const PlannedAction& beginning, Side le
     for (const Side side : {Side::Left, Side::Right}) {
         const double outward = side == Side::Left ? 1.0 : -1.0;
         if (t.legOutAtEnd(side)) {
-            wish.left -= 0.09 * outward;                // over the foot that carries
-            wish.ahead += side == lead ? -0.01 : 0.07;  // the rear leg takes the hips along
+            wish.left -= 0.09 * outward;               // over the foot that carries
+            wish.ahead += side == lead ? 0.04 : 0.11;  // the rear leg takes the hips along
             const bool low = ending.target == Target::Leg;
-            wish.up += (low ? 0.025 : (ending.target == Target::Head ? 0.065 : 0.05));
+            wish.up += low ? 0.05 : (ending.target == Target::Head ? 0.115 : 0.09);
             wish.travel = 0.3;
         }
         if (t.armOutAtEnd(side)) {
@@ -37,7 +37,10 @@ Wish wishAt(const PlannedAction& ending, const PlannedAction& beginning, Side le
             wish.up -= ending.target == Target::Trunk ? 0.05 : 0.012;
         }
     }
+    if (beginning.technique.kicks() && !t.kicks()) wish.rise += 0.12;
+    if (t.legOutAtBegin(Side::Left) || t.legOutAtBegin(Side::Right)) wish.rise -= 0.10;
     if (t.jump == Jump::Up) {
+        wish.rise = 0;
         wish.up = 0.10 + kGravity * ending.flightAtEnd * ending.flightAtEnd / 8;
         wish.left = 0;
         wish.travel = 1;

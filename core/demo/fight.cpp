@@ -80,7 +80,7 @@ Vector3d withinReach(const Strike& strike, const FighterPlan& plan, const Figure
         const double longest =
             strike.style == KickStyle::Knee
                 ? 0.99 * size.thigh
-                : 0.985 * size.legLength() + (strike.style == KickStyle::Front ? 0.06 : 0.0);
+                : 0.985 * size.legLength() + (strike.style == KickStyle::Front ? kSole : 0.0);
         const Vector3d way = point - hip;
         return way.norm() > longest ? Vector3d(hip + longest * way.normalized()) : point;
     }
@@ -128,8 +128,10 @@ Vector3d strikingPoint(const BodySize& size, const Strike& strike, const Figure&
                    Vector3d(sign(strike.side) * size.hand, 0, 0);
     }
     switch (strike.style) {
-        case KickStyle::Front:
-            return m[roleOf(strike.side, Part::Toe)];
+        case KickStyle::Front: {
+            const Vector3d ankle = m[roleOf(strike.side, Part::Foot)];
+            return ankle + kSole * (ankle - m[roleOf(strike.side, Part::Shank)]).normalized();
+        }
         case KickStyle::Round:
             return m[roleOf(strike.side, Part::Foot)];
         case KickStyle::Knee:

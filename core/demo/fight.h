@@ -13,7 +13,7 @@ namespace kumite::demo {
 std::array<FighterPlan, 2> planFight(std::uint64_t seed, double seconds,
                                      const std::array<BodySize, 2>& bodies);
 
-/// Where a strike touches at a time: knuckles, ball of the foot, instep or knee.
+/// Where a strike touches at a time: knuckles, sole, instep or knee.
 Eigen::Vector3d strikingPoint(const BodySize& size, const Strike& strike, const Figure& figure);
 
 }  // namespace kumite::demo

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <Eigen/Geometry>
 
@@ -28,7 +29,7 @@ Vector3d toeOf(const BodySize& size, const Plant& plant) {
 }
 
 double between(double a, double b, double s) {
-    return a + s * std::remainder(b - a, 2 * M_PI);
+    return a + s * std::remainder(b - a, 2 * std::numbers::pi);
 }
 
 /// Zero with zero slope at both ends, 1 in the middle.
@@ -107,11 +108,17 @@ FootGoal kickGoal(const FighterPlan& plan, const ComPath& opponent, const Plant&
             break;
     }
     if (kick.target == Target::Leg) folded += Vector3d(0.04 * x, -0.16, 0.0);
-    const double up = from.end + 0.52 * (kick.hit - from.end);
+    const double up = from.end + 0.46 * (kick.hit - from.end);
     const double back = kick.hit + 0.46 * (to.begin - kick.hit);
     const Vector3d ground = ankleOver(size, toeOf(size, from), from.yaw, 0.25);
     const Vector3d landing = ankleOver(size, toeOf(size, to), to.yaw, 0);
-    const Vector3d out = kick.point;
+    // The sole, the instep or the knee shall be at the point; this is where the ankle is then.
+    Vector3d out = kick.point;
+    if (kick.style == KickStyle::Front) {
+        out -= kSole * (kick.point - hipAt(kick.hit)).normalized();
+    } else if (kick.style == KickStyle::Knee) {
+        out += frameAt(kick.hit) * Vector3d(0, -0.97 * size.shank, -0.22 * size.shank);
+    }
     const Vector3d foldedUp = hipAt(up) + frameAt(up) * folded;
     const Vector3d foldedBack = hipAt(back) + frameAt(back) * (folded + Vector3d(0, -0.05, 0.05));
     const Vector3d still = Vector3d::Zero();
@@ -136,12 +143,14 @@ FootGoal kickGoal(const FighterPlan& plan, const ComPath& opponent, const Plant&
     const double s = (time - from.end) / (to.begin - from.end);
     goal.yaw = between(from.yaw, to.yaw, minimumJerk(s));
     goal.turn = aboutY(goal.yaw) * aboutX(0.25 * (1 - minimumJerk(s * 3)));
-    goal.free = minimumJerk((time - from.end) / (0.6 * (up - from.end))) *
-                minimumJerk((to.begin - time) / (0.6 * (to.begin - back)));
+    // The foot hangs from the shank once it is clear of the ground; the ankle never goes lower
+    // than it stands.
+    goal.ankle.y() = std::max(goal.ankle.y(), size.ankleHeight);
+    goal.free = minimumJerk((goal.ankle.y() - size.ankleHeight - 0.06) / 0.2);
     goal.point = kick.style == KickStyle::Front ? 0.25 : 0.75;
     const Matrix3d frame = frameAt(time);
-    const Vector3d knee = kick.style == KickStyle::Round ? Vector3d(0.75 * x, 0.45, 0.75)
-                                                         : Vector3d(0.12 * x, 0.7, 1.0);
+    const Vector3d knee =
+        kick.style == KickStyle::Round ? Vector3d(0.95 * x, 0, 0.3) : Vector3d(0.12 * x, 0, 1.0);
     goal.knee = frame * knee;
     return goal;
 }
@@ -157,7 +166,7 @@ FootGoal footGoal(const FighterPlan& plan, const ComPath& opponent, const Postur
     const double facing = facingAt(plan.centreOfMass, opponent, time);
     const double pelvisYaw = facing + of(posture, Control::PelvisYaw);
     const auto kneeAlong = [&](double yaw) -> Vector3d {
-        return aboutY(between(yaw, pelvisYaw, 0.35)) * Vector3d(0.10 * sign(side), 0.1, 1.0);
+        return aboutY(between(yaw, pelvisYaw, 0.35)) * Vector3d(0.10 * sign(side), 0, 1.0);
     };
     if (time <= plant.end) {
         FootGoal goal;
@@ -188,7 +197,8 @@ FootGoal footGoal(const FighterPlan& plan, const ComPath& opponent, const Postur
     if (track.swings[index] == Swing::Kick) {
         if (const Strike* kick = kickAt(plan, side, plant.end, next.begin)) {
             FootGoal goal = kickGoal(plan, opponent, plant, next, *kick, side, time);
-            goal.knee = goal.free * goal.knee + (1 - goal.free) * kneeAlong(goal.yaw);
+            const double raised = minimumJerk((goal.ankle.y() - size.ankleHeight) / 0.5);
+            goal.knee = raised * goal.knee + (1 - raised) * kneeAlong(goal.yaw);
             return goal;
         }
     }
@@ -213,11 +223,13 @@ void poseLeg(const BodySize& size, Side side, const FootGoal& goal, Figure& figu
         }
         foot = aboutY(goal.yaw) * aboutX(high);
     }
-    const TwoBone bones = bend(hip, ankle, goal.knee, size.thigh, size.shank);
+    // Carried along from a hanging leg by the shortest way: forward becomes up in a front kick.
+    const Vector3d knee = Quaterniond::FromTwoVectors(Vector3d(0, -1, 0), ankle - hip) * goal.knee;
+    const TwoBone bones = bend(hip, ankle, knee, size.thigh, size.shank);
     const Vector3d thigh = bones.middle - hip;
     const Vector3d shank = bones.end - bones.middle;
     const Vector3d thighDirection = thigh.normalized();
-    const Vector3d ahead = goal.knee - goal.knee.dot(thighDirection) * thighDirection;
+    const Vector3d ahead = knee - knee.dot(thighDirection) * thighDirection;
     Vector3d bendAhead = thighDirection * shank.dot(thighDirection) - shank;
     if (bendAhead.norm() < 1e-4) bendAhead = ahead;
     const Matrix3d thighTurn = turnWithY(-thigh, bendAhead);

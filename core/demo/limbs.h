@@ -13,7 +13,7 @@ void poseArms(const FighterPlan& plan, const Posture& posture, double facing, do
 struct FootGoal {
     Eigen::Vector3d ankle = Eigen::Vector3d::Zero();
     Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< of the foot, where `free` is 0
-    Eigen::Vector3d knee = Eigen::Vector3d::UnitZ();     ///< direction in which the knee points
+    Eigen::Vector3d knee = Eigen::Vector3d::UnitZ();  ///< where the knee points while the leg hangs
     double free = 0;   ///< 1: the foot is turned with the shank, its toes down by `point`
     double point = 0;  ///< radians
     bool planted = false;

@@ -89,9 +89,9 @@ void leanForKick(Posture& p, const Temper& temper, const PlannedAction& action, 
             break;
     }
     // The arms keep the balance: the kicking side's swings back, the other stays up.
-    of(p, ahead(side)) -= 0.16;
-    of(p, up(side)) -= 0.14;
-    of(p, aside(side)) += 0.12;
+    of(p, ahead(side)) = 0.16;
+    of(p, up(side)) = -0.32;
+    of(p, aside(side)) = 0.36;
 }
 
 }  // namespace

@@ -130,7 +130,7 @@ Temper drawTemper(std::uint64_t seed, int player) {
     t.crouch = random.uniform(0.0, 0.03);
     t.wanderlust = random.uniform(0.85, 1.2);
     t.reaction = random.uniform(0.19, 0.25);
-    t.preferredDistance = random.uniform(1.32, 1.48);
+    t.preferredDistance = random.uniform(1.42, 1.56);
     return t;
 }
 

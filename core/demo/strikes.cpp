@@ -98,7 +98,7 @@ Outcome outcomeOf(const Strike& strike, const Script& opponent, double distance)
     const PlannedAction& answer =
         opponent.actions[static_cast<std::size_t>(opponent.actionAt(strike.hit))];
     double reach = strike.target == Target::Trunk ? 1.04 : 1.08;
-    if (strike.kick) reach = strike.style == KickStyle::Knee ? 0.98 : 1.26;
+    if (strike.kick) reach = strike.style == KickStyle::Knee ? 0.95 : 1.18;
     if (distance > reach) return Outcome::Short;
     if (!answer.technique.isOthers()) return Outcome::Lands;
     const double since = strike.hit - answer.begin;

@@ -29,6 +29,9 @@ struct Strike {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
 };
 
+/// From the ankle to the sole, along the shank, metres: what a front kick hits with.
+inline constexpr double kSole = 0.08;
+
 /// All strikes of a script in order of their hits. Points and outcomes are not yet filled in.
 std::vector<Strike> strikesOf(const Script& script);
 

@@ -13,10 +13,11 @@ using Eigen::Vector3d;
 TwoBone bend(const Vector3d& root, const Vector3d& target, const Vector3d& pole, double upper,
              double lower) {
     constexpr double kStraightest = 0.9985;  // a knee or elbow never locks
+    constexpr double kFolded = 0.33;         // about 38° at the joint: calf on thigh
     const Vector3d way = target - root;
     const double wanted = std::max(1e-6, way.norm());
     const double reach =
-        std::clamp(wanted, std::abs(upper - lower) + 0.02, kStraightest * (upper + lower));
+        std::clamp(wanted, kFolded * (upper + lower), kStraightest * (upper + lower));
     const Vector3d along = way / wanted;
     Vector3d side = pole - pole.dot(along) * along;
     if (side.norm() < 1e-6) side = along.unitOrthogonal();

@@ -5,7 +5,8 @@
 namespace kumite::demo {
 
 /// Where the middle joint of a limb lies that spans from `root` to `end`: in the plane of `pole`,
-/// on its side. A target out of reach is brought within it. Lengths in metres.
+/// on its side. A target too far or too near is brought within
+/// what a knee or elbow can do. Lengths in metres.
 struct TwoBone {
     Eigen::Vector3d middle;
     Eigen::Vector3d end;
