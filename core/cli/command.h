@@ -43,6 +43,8 @@ void addForce(CLI::App& app, Action& action);
 void addSegment(CLI::App& app, Action& action);
 void addCorrect(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);
+void addLabel(CLI::App& app, Action& action);
+void addLabels(CLI::App& app, Action& action);
 void addRelink(CLI::App& app, Action& action);
 void addVersions(CLI::App& app, Action& action);
 

@@ -16,7 +16,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
         bool errIsTerminal) {
     CLI::App app(
         "Annotates two-player martial-arts motion capture: reads recordings, computes the contact\n"
-        "force, cuts it into actions, keeps corrections, exports.",
+        "force, cuts it into actions, keeps corrections, labels the actions, exports.",
         "kumite");
     app.require_subcommand(1);
     app.set_version_flag("--version", "kumite " KUMITE_VERSION);
@@ -32,6 +32,8 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addSegment(app, action);
     addCorrect(app, action);
     addExport(app, action);
+    addLabel(app, action);
+    addLabels(app, action);
     addRelink(app, action);
     addVersions(app, action);
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "core/base/error.h"
+
 namespace kumite {
 
 std::string csvField(std::string_view text) {
@@ -14,6 +16,50 @@ std::string csvField(std::string_view text) {
         quoted += c;
     }
     return quoted + '"';
+}
+
+std::vector<CsvLine> parseCsv(std::string_view text, const std::string& file) {
+    if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+    std::vector<CsvLine> lines;
+    int number = 1;
+    CsvLine line{1, {}};
+    std::string field;
+    bool quoted = false;
+    const auto endField = [&] {
+        line.fields.push_back(std::move(field));
+        field.clear();
+    };
+    const auto endLine = [&] {
+        if (!field.empty() && field.back() == '\r') field.pop_back();
+        endField();
+        const bool empty = line.fields.size() == 1 && line.fields.front().empty();
+        if (!empty) lines.push_back(std::move(line));
+        line = {number, {}};
+    };
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (c == '\n') ++number;
+        if (quoted) {
+            if (c != '"') {
+                field += c;
+            } else if (i + 1 < text.size() && text[i + 1] == '"') {
+                field += text[++i];
+            } else {
+                quoted = false;
+            }
+        } else if (c == '"' && field.empty()) {
+            quoted = true;
+        } else if (c == ',') {
+            endField();
+        } else if (c == '\n') {
+            endLine();
+        } else {
+            field += c;
+        }
+    }
+    if (quoted) throw InputError(file, line.number, 0, "has a quote that is not closed.");
+    endLine();
+    return lines;
 }
 
 std::string jointPositionsCsv(const Skeleton& skeleton, const JointPositions& positions,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/motion/feet.h"
+#include "core/motion/heading.h"
 
 namespace kumite {
 namespace {
@@ -30,15 +31,17 @@ std::vector<float> fasterFootSpeed(const Fighter& fighter, const JointPositions&
     return fastest;
 }
 
-std::shared_ptr<const FighterBody> deriveBody(const Fighter& fighter, const BodyModel& model,
+std::shared_ptr<const FighterBody> deriveBody(const Fighter& fighter, const Project& project,
                                               const JointPositions& positions) {
     auto body = std::make_shared<FighterBody>();
     const Skeleton& skeleton = *fighter.motion->skeleton;
-    body->com = centreOfMass(model, skeleton, fighter.roles, positions);
+    body->com = centreOfMass(project.bodyModel, skeleton, fighter.roles, positions);
     body->floor = fighter.floor ? *fighter.floor
                                 : floorHeight(skeleton, fighter.roles, positions).value_or(0.0);
     body->footSpeed = fasterFootSpeed(fighter, positions);
-    body->contacts = footContacts(skeleton, fighter.roles, positions, fighter.rate);
+    body->contacts = footContacts(skeleton, fighter.roles, positions, fighter.rate,
+                                  project.labelling.rules.contacts);
+    body->heading = headings(*fighter.motion, framesOf(fighter), fighter.space, fighter.roles);
     return body;
 }
 
@@ -67,8 +70,9 @@ FighterAnalysis deriveFighter(const Fighter& fighter, const Project& project,
     now.motion = sameMotion ? old->motion : deriveMotion(fighter, progress);
 
     const bool sameBody = sameMotion && previous.bodyModel == project.bodyModel &&
+                          previous.contacts == project.labelling.rules.contacts &&
                           unchanged(&Fighter::roles, &Fighter::rate, &Fighter::floor);
-    now.body = sameBody ? old->body : deriveBody(fighter, project.bodyModel, now.motion->positions);
+    now.body = sameBody ? old->body : deriveBody(fighter, project, now.motion->positions);
 
     const SegmentationSettings& was = previous.settings;
     const SegmentationSettings& is = project.segmentation;
@@ -144,6 +148,7 @@ Analysis analyse(const Project& project, const Analysis& previous, const Progres
     Analysis analysis;
     analysis.settings = project.segmentation;
     analysis.bodyModel = project.bodyModel;
+    analysis.contacts = project.labelling.rules.contacts;
     std::size_t done = 0;
     for (const Take& take : project.takes) {
         auto& values = analysis.takes.emplace_back();

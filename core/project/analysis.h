@@ -16,12 +16,14 @@ struct FighterMotion {
     JointPositions positions;  ///< metres, y up, the file's space (not placed)
 };
 
-/// Stage 2: what needs roles. Depends on stage 1, roles, body model, rate and floor.
+/// Stage 2: what needs roles. Depends on stage 1, roles, body model, rate, floor and contact
+/// thresholds.
 struct FighterBody {
     CentreOfMass com;
     double floor = 0;              ///< metres, in the file's space
     std::vector<float> footSpeed;  ///< of the faster foot, m/s; empty without feet
     FootContacts contacts;
+    std::vector<double> heading;  ///< radians, unwrapped, in the file's space
 };
 
 /// Stage 3: force and its minima. Depends on stage 2, rate, cutoff and curve.
@@ -51,6 +53,7 @@ struct FighterAnalysis {
 struct Analysis {
     SegmentationSettings settings;
     BodyModel bodyModel;
+    ContactSettings contacts;
     std::vector<std::vector<FighterAnalysis>> takes;
 
     const FighterAnalysis& at(FighterAddress address) const;

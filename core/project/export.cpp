@@ -10,6 +10,7 @@
 #include "core/base/text.h"
 #include "core/formats/bvh.h"
 #include "core/motion/euler.h"
+#include "core/project/label_files.h"
 #include "core/project/report.h"
 
 namespace kumite {
@@ -143,9 +144,13 @@ std::vector<std::filesystem::path> exportTake(const Project& project, const Anal
         writeFileAtomically(file, segmentationJson(project, analysis, {take, false}));
         return {file};
     }
+    if (suffix == ".eaf") {
+        writeLabels(project, analysis, take, file);
+        return {file};
+    }
     if (suffix != ".bvh") {
         throw Error(file.string() +
-                    ": the suffix says what to write, expected .bvh, .csv or .json.");
+                    ": the suffix says what to write, expected .bvh, .csv, .json or .eaf.");
     }
     const Take& which = project.takes.at(static_cast<std::size_t>(take));
     for (const Fighter& fighter : which.fighters) {

@@ -8,7 +8,8 @@
 namespace kumite {
 
 /// Writes a take by the file's suffix and returns what was written:
-/// `.csv` its actions; `.json` its segmentation with minima and corrections; `.bvh` one file per
+/// `.csv` its actions; `.json` its segmentation with minima and corrections;
+/// `.eaf` its labels for ELAN; `.bvh` one file per
 /// player, `-1` and `-2` before the suffix, with the joints and channels that came in, at the
 /// rate and trim of the take. A placement moves the root (or the first joint
 /// below it that can move); every other channel stays bit for bit.

@@ -5,7 +5,8 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
-#include "core/project/json_text.h"
+#include "core/formats/json_text.h"
+#include "core/project/recordings.h"
 
 namespace kumite {
 namespace {

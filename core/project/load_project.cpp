@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/project/json_text.h"
+#include "core/formats/json_text.h"
 #include "core/project/project_file.h"
 #include "core/project/recordings.h"
 

@@ -10,6 +10,7 @@
 #include "core/motion/body_model.h"
 #include "core/motion/kinematics.h"
 #include "core/motion/roles.h"
+#include "core/project/label_settings.h"
 #include "core/segmentation/contact_force.h"
 #include "core/segmentation/corrections.h"
 
@@ -60,6 +61,7 @@ struct Fighter {
     std::map<Role, std::string> roleNames;
     std::vector<Correction> corrections;
     std::vector<ActionNote> notes;  ///< in order of frames
+    SharedValue<LabelTrack> labels;
 
     /// The recording's motion, or null where it is missing. Not part of the file.
     std::shared_ptr<const Motion> motion;
@@ -90,6 +92,7 @@ struct Project {
     std::vector<Take> takes;
     SegmentationSettings segmentation;
     BodyModel bodyModel = deLevaMale();
+    LabelSettings labelling;
 
     bool operator==(const Project&) const = default;
 };

@@ -8,7 +8,8 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/project/json_text.h"
+#include "core/formats/json_text.h"
+#include "core/project/label_json.h"
 #include "core/project/versions.h"
 
 namespace kumite {
@@ -58,7 +59,8 @@ Json rolesJson(const Fighter& fighter) {
     return json;
 }
 
-Json fighterJson(const Fighter& fighter, const std::filesystem::path& folder) {
+Json fighterJson(const Fighter& fighter, const Vocabulary& vocabulary,
+                 const std::filesystem::path& folder) {
     Json recording = {{"path", storedPath(fighter.recording.path, folder)}};
     if (!fighter.recording.asf.empty()) {
         recording["asf"] = storedPath(fighter.recording.asf, folder);
@@ -87,6 +89,7 @@ Json fighterJson(const Fighter& fighter, const std::filesystem::path& folder) {
             notes.push_back({{"frame", note.frame}, {"text", asStored(note.text)}});
         json["notes"] = std::move(notes);
     }
+    if (!fighter.labels->empty()) json["labels"] = labelTrackJson(*fighter.labels, vocabulary);
     return json;
 }
 
@@ -155,7 +158,8 @@ std::filesystem::path resolved(const std::string& stored, const std::filesystem:
     return stored.empty() ? std::filesystem::path() : (folder / stored).lexically_normal();
 }
 
-Fighter readFighter(const JsonReader& json, const std::filesystem::path& folder) {
+Fighter readFighter(const JsonReader& json, const Vocabulary& vocabulary,
+                    const std::filesystem::path& folder) {
     Fighter fighter;
     const JsonReader recording = json["recording"];
     fighter.recording.path = resolved(recording["path"].text(), folder);
@@ -188,6 +192,7 @@ Fighter readFighter(const JsonReader& json, const std::filesystem::path& folder)
             fighter.notes.push_back({note["frame"].integer(), note["text"].text()});
         }
     }
+    if (json.has("labels")) fighter.labels = readLabelTrack(json["labels"], vocabulary);
     return fighter;
 }
 
@@ -252,17 +257,21 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
     for (const Take& take : project.takes) {
         Json fighters = Json::array();
         for (const Fighter& fighter : take.fighters) {
-            fighters.push_back(fighterJson(fighter, folder));
+            fighters.push_back(fighterJson(fighter, *project.labelling.vocabulary, folder));
         }
         takes.push_back({{"name", take.name}, {"fighters", std::move(fighters)}});
     }
-    return prettyJson({{"kumite", kProjectVersion},
-                       {"segmentation",
-                        {{"cutoff_hz", settings.cutoff},
-                         {"prominence_bw", settings.prominence},
-                         {"curve", settings.curve == ForceCurve::Norm ? "norm" : "vertical"}}},
-                       {"body_model", bodyModelJson(project.bodyModel)},
-                       {"takes", std::move(takes)}});
+    Json json = {{"kumite", kProjectVersion},
+                 {"segmentation",
+                  {{"cutoff_hz", settings.cutoff},
+                   {"prominence_bw", settings.prominence},
+                   {"curve", settings.curve == ForceCurve::Norm ? "norm" : "vertical"}}},
+                 {"body_model", bodyModelJson(project.bodyModel)}};
+    if (project.labelling != LabelSettings()) {
+        json["labelling"] = labelSettingsJson(project.labelling);
+    }
+    json["takes"] = std::move(takes);
+    return prettyJson(json);
 }
 
 Project parseProject(std::string_view text, const std::string& name,
@@ -287,6 +296,7 @@ Project parseProject(std::string_view text, const std::string& name,
     Project project;
     project.segmentation = readSettings(reader["segmentation"]);
     project.bodyModel = bodyModelFrom(reader["body_model"]);
+    if (reader.has("labelling")) project.labelling = readLabelSettings(reader["labelling"]);
     const JsonReader takes = reader["takes"];
     for (std::size_t i = 0; i < takes.size(); ++i) {
         Take take;
@@ -300,7 +310,8 @@ Project parseProject(std::string_view text, const std::string& name,
             throw fighters.error("a take has one or two fighters");
         }
         for (std::size_t j = 0; j < fighters.size(); ++j) {
-            take.fighters.push_back(readFighter(fighters.at(j), folder));
+            take.fighters.push_back(
+                readFighter(fighters.at(j), *project.labelling.vocabulary, folder));
         }
         project.takes.push_back(std::move(take));
     }

@@ -1,4 +1,4 @@
-#include "core/project/json_text.h"
+#include "core/formats/json_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,108 @@
+#include "core/labelling/learning_task.h"
+
+#include <algorithm>
+#include <set>
+
+namespace kumite {
+namespace {
+
+/// Rows of a kernel that takes 16 MB.
+constexpr Eigen::Index kLargeKernel = 1000;
+
+bool isLearnt(const Aspect& aspect) {
+    return aspect.classifier == Classifier::Msvm;
+}
+
+}  // namespace
+
+std::optional<int> LearningTask::classOf(const Label& label) const {
+    const auto qualifier = [&](int aspect) { return label[static_cast<std::size_t>(aspect)]; };
+    if (!whichLimbs) {
+        const int own = qualifier(aspects.front());
+        const bool outside = givenLimb && own == (*vocabulary)[aspects.front()].fallback;
+        return own == kUnknown || outside ? std::nullopt : std::optional<int>(own);
+    }
+    int bits = 0;
+    for (std::size_t i = 0; i < aspects.size(); ++i) {
+        if (qualifier(aspects[i]) == kUnknown) return std::nullopt;
+        if (qualifier(aspects[i]) != (*vocabulary)[aspects[i]].fallback) bits |= 1 << i;
+    }
+    return bits;
+}
+
+std::vector<LearningTask> learningTasks(const Vocabulary& vocabulary, bool limbFirst) {
+    std::vector<LearningTask> tasks;
+    std::vector<int> striking;
+    for (int i = 0; i < vocabulary.size(); ++i) {
+        if (isLearnt(vocabulary[i]) && vocabulary[i].limb) striking.push_back(i);
+    }
+    limbFirst = limbFirst && !striking.empty() && striking.size() <= 30;
+    if (limbFirst) tasks.push_back({&vocabulary, striking, true, false, vocabulary.size()});
+    for (int i = 0; i < vocabulary.size(); ++i) {
+        if (!isLearnt(vocabulary[i])) continue;
+        tasks.push_back({&vocabulary, {i}, false, limbFirst && vocabulary[i].limb.has_value(), i});
+    }
+    return tasks;
+}
+
+int TaskRows::classCount() const {
+    return static_cast<int>(std::set<int>(classes.begin(), classes.end()).size());
+}
+
+const MsvmKernel& KernelCache::at(double gamma) {
+    if (distances_.rows() > kLargeKernel && !kernels_.contains(gamma)) kernels_.clear();
+    return kernels_.try_emplace(gamma, distances_, gamma).first->second;
+}
+
+TaskMachine::TaskMachine(const LearningTask& task, const TaskRows& rows, KernelCache& kernels,
+                         const MsvmParameters& parameters, bool probabilities, std::uint32_t seed)
+    : task_(task) {
+    if (rows.classCount() > 1) {
+        machine_ = std::make_unique<Msvm>(kernels.at(parameters.gamma), rows.indices, rows.classes,
+                                          parameters.c, probabilities, seed);
+    } else if (!rows.classes.empty()) {
+        only_ = rows.classes.front();
+    }
+}
+
+void TaskMachine::answer(std::span<const float> squaredDistances, Prediction* aspects) const {
+    if (!only_ && !machine_) return;
+    Prediction& first = aspects[task_.aspects.front()];
+    const bool decidedBefore =
+        task_.givenLimb && first.qualifier == (*task_.vocabulary)[task_.aspects.front()].fallback;
+    if (decidedBefore) return;
+    const Msvm::Answer answer =
+        machine_ ? machine_->predict(squaredDistances) : Msvm::Answer{*only_, 0, 0};
+    if (!task_.whichLimbs) {
+        const Prediction limb = first;
+        first = {answer.choice, answer.margin, answer.probability, !machine_};
+        if (!task_.givenLimb) return;
+        // As sure as the less sure of both steps; with one qualifier seen, the first step decides.
+        first.margin = machine_ ? std::min(limb.margin, answer.margin) : limb.margin;
+        first.confidence = limb.confidence * (machine_ ? answer.probability : 0.0);
+        first.blind = limb.blind;
+        return;
+    }
+    for (std::size_t i = 0; i < task_.aspects.size(); ++i) {
+        const bool strikes = (answer.choice >> i) & 1;
+        const int fallback = *(*task_.vocabulary)[task_.aspects[i]].fallback;
+        aspects[task_.aspects[i]] = {strikes ? kUnknown : fallback, answer.margin,
+                                     answer.probability, !machine_};
+    }
+}
+
+void resolveConflicts(const Vocabulary& vocabulary, Prediction* aspects) {
+    const auto isSaid = [&](int aspect) {
+        const int qualifier = aspects[aspect].qualifier;
+        return qualifier != kUnknown && qualifier != vocabulary[aspect].fallback;
+    };
+    for (int i = 0; i < vocabulary.size(); ++i) {
+        for (const int other : vocabulary[i].excludes) {
+            if (!isSaid(i) || !isSaid(other)) continue;
+            const int weaker = aspects[i].margin < aspects[other].margin ? i : other;
+            aspects[weaker].qualifier = *vocabulary[weaker].fallback;
+        }
+    }
+}
+
+}  // namespace kumite

@@ -1,0 +1,174 @@
+#include "core/labelling/query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+#include "core/labelling/distances.h"
+
+namespace kumite {
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+/// Candidates for each place in a batch: the least certain ones, among which spread decides.
+constexpr int kCandidatesPerPlace = 4;
+
+constexpr std::size_t kMostReferences = 1000;
+
+/// Before this many rounds a cross-validation says little.
+constexpr std::size_t kFewestRounds = 8;
+constexpr std::size_t kRoundsWithoutGain = 5;
+constexpr double kGain = 0.005;
+
+void keepNearest(std::vector<double>& nearest, const std::vector<double>& distances) {
+    for (std::size_t i = 0; i < nearest.size(); ++i)
+        nearest[i] = std::min(nearest[i], distances[i]);
+}
+
+/// Takes the place that is farthest from everything taken; of equals the first.
+int farthest(const std::vector<int>& among, const std::vector<double>& nearest) {
+    return *std::max_element(among.begin(), among.end(), [&](int a, int b) {
+        return nearest[static_cast<std::size_t>(a)] < nearest[static_cast<std::size_t>(b)];
+    });
+}
+
+}  // namespace
+
+QueryQueue::QueryQueue(const FeatureMatrix& features, const QuerySettings& settings)
+    : settings_(settings) {
+    if (features.rows() == 0) return;
+    const Standardiser standardiser(features);
+    rows_ = standardiser.apply(features);
+    if (settings.mirrored) {
+        mirrors_.resize(features.rows(), features.cols());
+        const auto width = static_cast<std::size_t>(features.cols());
+        for (Eigen::Index i = 0; i < features.rows(); ++i)
+            mirrorFeatures({features.row(i).data(), width}, {mirrors_.row(i).data(), width});
+        mirrors_ = standardiser.apply(mirrors_);
+    }
+    const auto count = static_cast<std::size_t>(features.rows());
+    std::vector<int> references;
+    for (std::size_t i = 0; i < count; i += 1 + count / (kMostReferences + 1))
+        references.push_back(static_cast<int>(i));
+    const FeatureMatrix chosen = rowsAt(rows_, references);
+    toReferences_ = squaredDistances(rows_, chosen);
+    if (settings.mirrored) {
+        toReferences_ = toReferences_.cwiseMin(squaredDistances(mirrors_, chosen));
+    }
+    toReferences_ = toReferences_.cwiseSqrt();
+}
+
+std::vector<double> QueryQueue::distancesTo(int row) const {
+    Eigen::VectorXf distances = (rows_.rowwise() - rows_.row(row)).rowwise().squaredNorm();
+    if (settings_.mirrored) {
+        distances =
+            distances.cwiseMin((rows_.rowwise() - mirrors_.row(row)).rowwise().squaredNorm());
+    }
+    return {distances.begin(), distances.end()};
+}
+
+/// The row that brings the references nearest to what is asked; of equals the first. `covered`:
+/// how near each reference is already.
+int QueryQueue::mostRepresentative(const std::vector<int>& among,
+                                   const Eigen::RowVectorXf& covered) const {
+    int best = among.front();
+    float most = -1;
+    for (const int row : among) {
+        const float gain = (covered - toReferences_.row(row)).cwiseMax(0.0f).sum();
+        if (gain <= most) continue;
+        most = gain;
+        best = row;
+    }
+    return best;
+}
+
+std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
+                                  const Predictions* predictions) {
+    bool takenBack = counted_.size() != answered.size();
+    for (std::size_t i = 0; !takenBack && i < answered.size(); ++i)
+        takenBack = counted_[i] && !answered[i];
+    if (takenBack) {
+        counted_.assign(answered.size(), false);
+        nearest_.assign(answered.size(), kFar);
+    }
+    std::vector<int> open;
+    // Nothing is nearer than the farthest at first.
+    Eigen::RowVectorXf covered = Eigen::RowVectorXf::Constant(
+        toReferences_.cols(), toReferences_.size() > 0 ? toReferences_.maxCoeff() : 0.0f);
+    for (std::size_t i = 0; i < answered.size(); ++i) {
+        if (!answered[i]) {
+            open.push_back(static_cast<int>(i));
+        } else {
+            covered = covered.cwiseMin(toReferences_.row(static_cast<Eigen::Index>(i)));
+            if (!counted_[i]) keepNearest(nearest_, distancesTo(static_cast<int>(i)));
+            counted_[i] = true;
+        }
+    }
+    std::vector<int> batch;
+    std::vector<double> toBatch(answered.size(), kFar);
+    const auto take = [&](int row) {
+        batch.push_back(row);
+        keepNearest(toBatch, distancesTo(row));
+        covered = covered.cwiseMin(toReferences_.row(row));
+        std::erase(open, row);
+    };
+    const auto size = std::min(static_cast<std::size_t>(settings_.batch), open.size());
+    const auto explore =
+        static_cast<std::size_t>(std::lround(settings_.explore * static_cast<double>(size)));
+    if (predictions) {
+        std::vector<double> margin(answered.size());
+        for (const int row : open)
+            margin[static_cast<std::size_t>(row)] = smallestMargin(*predictions, row);
+        std::vector<int> least = open;
+        std::stable_sort(least.begin(), least.end(), [&](int a, int b) {
+            return margin[static_cast<std::size_t>(a)] < margin[static_cast<std::size_t>(b)];
+        });
+        least.resize(std::min(least.size(), kCandidatesPerPlace * size));
+        while (batch.size() + explore < size) {
+            const int row = batch.empty() ? least.front() : farthest(least, toBatch);
+            take(row);
+            std::erase(least, row);
+        }
+    }
+    std::vector<double> nearest = nearest_;  // also to what this batch asks
+    // At first what stands for many; later what is like nothing shown so far.
+    while (batch.size() < size) {
+        keepNearest(nearest, toBatch);
+        take(predictions ? farthest(open, nearest) : mostRepresentative(open, covered));
+    }
+    return batch;
+}
+
+double smallestMargin(const Predictions& predictions, int row) {
+    double smallest = kFar;
+    for (int aspect = 0; aspect < predictions.aspects; ++aspect) {
+        const Prediction& prediction = predictions.at(row, aspect);
+        if (!prediction.blind) smallest = std::min(smallest, prediction.margin);
+    }
+    return smallest;
+}
+
+std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std::uint32_t seed) {
+    std::vector<int> open;
+    for (std::size_t i = 0; i < answered.size(); ++i) {
+        if (!answered[i]) open.push_back(static_cast<int>(i));
+    }
+    std::mt19937 random(seed);
+    const auto size = std::min(static_cast<std::size_t>(std::max(0, count)), open.size());
+    for (std::size_t i = 0; i < size; ++i)
+        std::swap(open[i], open[i + random() % (open.size() - i)]);
+    open.resize(size);
+    return open;
+}
+
+bool mayStop(std::span<const double> expected, double target) {
+    if (expected.size() < kFewestRounds) return false;
+    if (expected.back() >= target) return true;
+    const double before = expected[expected.size() - 1 - kRoundsWithoutGain];
+    return expected.back() - before < kGain;
+}
+
+}  // namespace kumite

@@ -1,0 +1,115 @@
+// kumite label and kumite labels on a short demo bout.
+#include <algorithm>
+#include <sstream>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/cli/run.h"
+#include "tests/support/fixtures.h"
+
+namespace kumite {
+namespace {
+
+struct Result {
+    int code;
+    std::string out;
+    std::string err;
+};
+
+Result kumite(const std::vector<std::string>& words) {
+    std::ostringstream out, err;
+    const int code = cli::run(words, out, err);
+    return {code, out.str(), err.str()};
+}
+
+class LabelCommand : public testing::Test {
+protected:
+    test::TemporaryFolder folder;
+    std::string project, truth;
+
+    void SetUp() override {
+        const std::string out = (folder / "demo").string();
+        ASSERT_EQ(kumite({"demo", "--out", out, "--seconds", "40", "--seed", "3"}).code, 0);
+        project = out + "/demo.kumite";
+        truth = out + "/truth.json";
+    }
+    nlohmann::json json(const std::vector<std::string>& words) {
+        const Result result = kumite(words);
+        EXPECT_EQ(result.code, 0) << result.err;
+        return nlohmann::json::parse(result.out);
+    }
+    nlohmann::json simulate(const std::string& strategy) {
+        return json({"label", project, "--simulate", truth, "--strategy", strategy, "--budget",
+                     "0.25", "--json"});
+    }
+};
+
+TEST_F(LabelCommand, SimulatesASession) {
+    const std::string before = test::readText(project);
+    const auto active = simulate("active");
+    EXPECT_NEAR(active["labelled_share"].get<double>(), 0.25, 0.01);
+    EXPECT_EQ(active["judged"].get<int>() + active["labelled"].get<int>(), active["actions"]);
+    EXPECT_GT(active["limb_accuracy"].get<double>(), 0.8);
+    EXPECT_GT(active["label_accuracy"].get<double>(),
+              active["baseline_accuracy"].get<double>() + 0.3);
+    for (const char* aspect :
+         {"left_punch", "right_punch", "left_kick", "right_kick", "jump", "react", "move"}) {
+        EXPECT_GT(active["aspects"][aspect]["accuracy"].get<double>(), 0.7) << aspect;
+        EXPECT_TRUE(active["aspects"][aspect].contains("macro_f1"));
+    }
+    EXPECT_EQ(active["curve"].back()["labelled"], active["labelled"]);
+    auto again = simulate("active");
+    again["seconds"] = active["seconds"];
+    EXPECT_EQ(again, active) << "the same seed gives the same session";
+    EXPECT_TRUE(simulate("random").contains("curve"));
+    EXPECT_EQ(test::readText(project), before) << "a simulation changes nothing";
+}
+
+TEST_F(LabelCommand, ImportsLearnsAndWrites) {
+    const auto imported = json({"label", project, "--import", truth, "--json"});
+    EXPECT_GT(imported["matched"].get<int>(), 0.8 * imported["read"].get<int>());
+    const std::string csv = (folder / "labels.csv").string();
+    ASSERT_EQ(kumite({"labels", project, "--out", csv}).code, 0);
+
+    // Half of the table as a user's labels; the machine does the rest.
+    std::istringstream lines(test::readText(csv));
+    std::string line, half;
+    for (int i = 0; std::getline(lines, line); ++i) {
+        if (i % 2 == 0) half += line + "\n";
+    }
+    const std::string part = (folder / "half.csv").string();
+    test::writeText(part, half);
+    ASSERT_EQ(
+        kumite({"demo", "--out", (folder / "demo").string(), "--seconds", "40", "--seed", "3"})
+            .code,
+        0);
+    const auto some = json({"label", project, "--import", part, "--json"});
+    EXPECT_EQ(some["matched"], some["read"]);
+    const auto automatic = json({"label", project, "--auto", "--json"});
+    EXPECT_EQ(automatic["labelled_by_hand"], some["matched"]);
+    const std::string saved = test::readText(project);
+    EXPECT_EQ(json({"label", project, "--auto", "--json"})["training_sha256"],
+              automatic["training_sha256"]);
+    EXPECT_EQ(test::readText(project), saved) << "retraining gives the same labels";
+    for (const char* name : {"labels.csv", "labels.json", "labels.eaf"}) {
+        ASSERT_EQ(kumite({"labels", project, "--out", (folder / name).string()}).code, 0);
+    }
+    const std::string all = test::readText(csv);
+    EXPECT_EQ(std::count(all.begin(), all.end(), '\n') - 1, automatic["actions"].get<int>());
+    EXPECT_NE(all.find(",machine,"), std::string::npos);
+    EXPECT_NE(all.find(",hand,"), std::string::npos);
+}
+
+TEST_F(LabelCommand, SaysWhatIsWrong) {
+    EXPECT_EQ(kumite({"label", project}).code, 2);
+    EXPECT_EQ(kumite({"label", project, "--auto", "--import", truth}).code, 2);
+    EXPECT_EQ(kumite({"label", project, "--simulate", truth, "--budget", "2"}).code, 2);
+    EXPECT_EQ(kumite({"label", project, "--budget", "0.1", "--auto"}).code, 2);
+    EXPECT_EQ(kumite({"labels", project, "--out", (folder / "l.txt").string()}).code, 1);
+    EXPECT_EQ(kumite({"labels", project, "--out", project}).code, 1);
+    EXPECT_EQ(kumite({"label", project, "--import", (folder / "none.csv").string()}).code, 1);
+}
+
+}  // namespace
+}  // namespace kumite

@@ -1,0 +1,320 @@
+#include "core/labelling/learner.h"
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "core/labelling/distances.h"
+#include "core/labelling/query.h"
+#include "core/labelling/scores.h"
+
+namespace kumite {
+namespace {
+
+const char* const kKinds[] = {"others",         "left_punch:fwd",        "right_punch:fwd",
+                              "left_punch:bwd", "right_punch:bwd",       "left_kick:up",
+                              "right_kick:up",  "left_kick:down",        "right_kick:down",
+                              "jump:up",        "left_punch:fwd+jump:up"};
+
+/// Made actions: each kind has a pattern of its own, mirrored for the other side, plus noise. Every
+/// second action is of the first kind.
+struct MadeActions {
+    FeatureMatrix features;
+    std::vector<Label> truth;
+
+    explicit MadeActions(int count, float noise = 1.0f, std::uint32_t seed = 7,
+                         std::vector<std::string> kinds = {std::begin(kKinds), std::end(kKinds)}) {
+        std::mt19937 random(seed);
+        const auto uniform = [&] { return static_cast<float>(random()) / 4294967296.0f - 0.5f; };
+        features.resize(count, kFeatureCount);
+        for (int i = 0; i < count; ++i) {
+            const std::string& kind = kinds[i % 2 == 0 ? 0 : (random() % kinds.size())];
+            truth.push_back(parseLabel(kickboxing(), kind));
+            features.row(i) = pattern(kind);
+            for (int j = 0; j < kFeatureCount; ++j)
+                features(i, j) += noise * 2 * uniform();
+        }
+    }
+    static std::uint32_t seedOf(const std::string& text) {
+        std::uint32_t seed = 17;
+        for (const char c : text)
+            seed = 31 * seed + static_cast<std::uint32_t>(c);
+        return seed;
+    }
+    /// Patterns of mirrored kinds are mirror images.
+    static Eigen::RowVectorXf pattern(const std::string& kind) {
+        const Vocabulary& v = kickboxing();
+        const std::string mirror = labelText(v, mirroredLabel(v, parseLabel(v, kind)));
+        FeatureMatrix row(2, kFeatureCount);
+        for (int side = 0; side < 2; ++side) {
+            std::mt19937 random(seedOf(side == 0 ? kind : mirror));
+            FeatureMatrix own(1, kFeatureCount);
+            for (int j = 0; j < kFeatureCount; ++j)
+                own(0, j) = static_cast<float>(random()) / 4294967296.0f - 0.5f;
+            if (side == 0) {
+                row.row(0) = own.row(0);
+            } else {
+                mirrorFeatures({own.data(), kFeatureCount}, {row.row(1).data(), kFeatureCount});
+            }
+        }
+        return row.row(0) + row.row(1);
+    }
+    std::vector<Example> examples(int from, int to) const {
+        std::vector<Example> list;
+        for (int i = from; i < to; ++i)
+            list.push_back({i, truth[static_cast<std::size_t>(i)]});
+        return list;
+    }
+    /// Share of rows from `from` on with every learnt aspect right.
+    double accuracy(const Predictions& predictions, int from) const {
+        int right = 0;
+        const int count = static_cast<int>(truth.size());
+        for (int i = from; i < count; ++i) {
+            bool same = true;
+            for (int a = 0; a < 5; ++a)
+                same = same && predictions.at(i, a).qualifier ==
+                                   truth[static_cast<std::size_t>(i)][static_cast<std::size_t>(a)];
+            right += same;
+        }
+        return static_cast<double>(right) / (count - from);
+    }
+};
+
+Predictions learn(const MadeActions& made, int examples, const LearningSettings& settings = {},
+                  bool probabilities = false) {
+    const TrainingSet set(kickboxing(), made.features, made.examples(0, examples), settings);
+    return set.predict(defaultParameters(kickboxing()), probabilities);
+}
+
+TEST(Learner, FindsWhatItHasSeen) {
+    const MadeActions made(400);
+    EXPECT_GT(made.accuracy(learn(made, 150), 150), 0.95);
+    LearningSettings limbFirst;
+    limbFirst.limbFirst = true;
+    EXPECT_GT(made.accuracy(learn(made, 150, limbFirst), 150), 0.9);
+}
+
+TEST(Learner, MirroredExamplesTeachTheOtherSide) {
+    // Only left strikes are shown; right ones must be found.
+    const MadeActions left(120, 1.0f, 3, {"others", "left_punch:fwd", "left_kick:up"});
+    const MadeActions right(120, 1.0f, 4, {"others", "right_punch:fwd", "right_kick:up"});
+    MadeActions both = left;
+    both.features.conservativeResize(240, kFeatureCount);
+    both.features.bottomRows(120) = right.features;
+    both.truth.insert(both.truth.end(), right.truth.begin(), right.truth.end());
+    EXPECT_GT(both.accuracy(learn(both, 120), 120), 0.95);
+    LearningSettings plain;
+    plain.mirrored = false;
+    EXPECT_LT(both.accuracy(learn(both, 120, plain), 120), 0.75);
+}
+
+TEST(Learner, IsDeterministicAlsoWithProbabilities) {
+    const MadeActions made(200, 2.0f);
+    const Predictions first = learn(made, 80, {}, true);
+    std::srand(99);
+    const Predictions second = learn(made, 80, {}, true);
+    for (std::size_t i = 0; i < first.values.size(); ++i) {
+        EXPECT_EQ(first.values[i].qualifier, second.values[i].qualifier);
+        EXPECT_EQ(first.values[i].margin, second.values[i].margin);
+        EXPECT_EQ(first.values[i].confidence, second.values[i].confidence);
+    }
+}
+
+TEST(Learner, ConfidencesAreCalibrated) {
+    const MadeActions made(600, 4.5f);
+    const Predictions predictions = learn(made, 250, {}, true);
+    double stated = 0;
+    int right = 0;
+    for (int i = 250; i < 600; ++i) {
+        for (int a = 0; a < 5; ++a) {
+            stated += predictions.at(i, a).confidence;
+            right += predictions.at(i, a).qualifier ==
+                     made.truth[static_cast<std::size_t>(i)][static_cast<std::size_t>(a)];
+        }
+    }
+    EXPECT_NEAR(stated, right, 0.08 * 5 * 350);
+}
+
+TEST(Learner, NothingOneExampleAndOneClass) {
+    const MadeActions made(30, 1.0f, 7, {"others"});
+    EXPECT_EQ(learn(made, 0).at(3, 0).qualifier, kUnknown);
+    for (const int count : {1, 20}) {
+        const Predictions predictions = learn(made, count, {}, true);
+        for (int a = 0; a < 5; ++a) {
+            EXPECT_EQ(predictions.at(25, a).qualifier, kickboxing()[a].fallback);
+            EXPECT_EQ(predictions.at(25, a).confidence, 0) << "only one class was seen";
+            EXPECT_TRUE(predictions.at(25, a).blind);
+        }
+        EXPECT_EQ(predictions.at(25, 6).qualifier, kUnknown) << "rules are not learnt";
+    }
+    const TrainingSet set(kickboxing(), made.features, made.examples(0, 20), {});
+    EXPECT_EQ(set.searchParameters(), defaultParameters(kickboxing()));
+    EXPECT_EQ(set.expectedAccuracy(defaultParameters(kickboxing())), 1.0);
+    LearningSettings limbFirst;
+    limbFirst.limbFirst = true;
+    EXPECT_EQ(learn(made, 20, limbFirst).at(25, 0).qualifier, kickboxing()[0].fallback);
+}
+
+TEST(Learner, OpenAspectsDoNotTrain) {
+    MadeActions made(60);
+    std::vector<Example> examples = made.examples(0, 40);
+    for (Example& example : examples)
+        example.label[4] = kUnknown;
+    const TrainingSet set(kickboxing(), made.features, examples, {});
+    const Predictions predictions = set.predict(defaultParameters(kickboxing()), false);
+    EXPECT_EQ(predictions.at(50, 4).qualifier, kUnknown);
+    EXPECT_NE(predictions.at(50, 0).qualifier, kUnknown);
+}
+
+TEST(Learner, AspectsThatExcludeEachOtherAreNotBothFound) {
+    const MadeActions made(400, 6.0f);
+    const Predictions predictions = learn(made, 60);
+    for (int i = 0; i < 400; ++i) {
+        Label label;
+        for (int a = 0; a < 7; ++a)
+            label.push_back(predictions.at(i, a).qualifier);
+        EXPECT_TRUE(conflicts(kickboxing(), label).empty());
+    }
+}
+
+TEST(Learner, TheSearchIsRepeatableAndCanBeCancelled) {
+    const MadeActions made(200, 3.0f);
+    const TrainingSet set(kickboxing(), made.features, made.examples(0, 80), {});
+    const ParameterSet found = set.searchParameters();
+    EXPECT_EQ(set.searchParameters(), found);
+    EXPECT_GE(made.accuracy(set.predict(found, false), 80) + 0.05,
+              made.accuracy(set.predict(defaultParameters(kickboxing()), false), 80));
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(set.searchParameters({{}, stop.get_token()}), Cancelled);
+}
+
+TEST(Learner, ExpectedAccuracyIsNearTheRealOne) {
+    const MadeActions made(800, 5.0f);
+    const TrainingSet set(kickboxing(), made.features, made.examples(0, 200), {});
+    const ParameterSet parameters = defaultParameters(kickboxing());
+    EXPECT_NEAR(set.expectedAccuracy(parameters),
+                made.accuracy(set.predict(parameters, false), 200), 0.08);
+}
+
+TEST(Learner, TheHashKnowsExamplesSettingsAndParameters) {
+    const MadeActions made(40);
+    const auto examples = made.examples(0, 20);
+    const ParameterSet parameters = defaultParameters(kickboxing());
+    const std::string hash = trainingHash(made.features, examples, {}, parameters);
+    EXPECT_EQ(trainingHash(made.features, examples, {}, parameters), hash);
+    auto other = examples;
+    other[3].label[0] = (other[3].label[0] + 1) % 5;
+    EXPECT_NE(trainingHash(made.features, other, {}, parameters), hash);
+    EXPECT_NE(trainingHash(made.features, made.examples(0, 19), {}, parameters), hash);
+    LearningSettings settings;
+    settings.mirrored = false;
+    EXPECT_NE(trainingHash(made.features, examples, settings, parameters), hash);
+}
+
+TEST(StratifiedFolds, SpreadEveryClassEvenly) {
+    std::vector<int> classes(103, 0);
+    for (int i = 0; i < 20; ++i)
+        classes[static_cast<std::size_t>(5 * i)] = 1;
+    const auto folds = stratifiedFolds(classes, 5, 1);
+    for (int fold = 0; fold < 5; ++fold) {
+        int ones = 0, all = 0;
+        for (std::size_t i = 0; i < classes.size(); ++i) {
+            all += folds[i] == fold;
+            ones += folds[i] == fold && classes[i] == 1;
+        }
+        EXPECT_EQ(ones, 4);
+        EXPECT_NEAR(all, 20.6, 1);
+    }
+    EXPECT_NE(stratifiedFolds(classes, 5, 2), folds);
+}
+
+TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
+    // Row 0 … 19 are copies of one uncertain action, 20 … 39 differ and are nearly as uncertain.
+    MadeActions made(40, 1.0f);
+    for (int i = 1; i < 20; ++i)
+        made.features.row(i) = made.features.row(0);
+    Predictions predictions{7, std::vector<Prediction>(7 * 40)};
+    for (int i = 0; i < 40; ++i)
+        predictions.at(i, 0) = {0, i < 20 ? 0.01 : 0.02, 0, false};
+    QueryQueue queue(made.features, {10, 0.2, true});
+    const auto batch = queue.next(std::vector<bool>(40, false), &predictions);
+    ASSERT_EQ(batch.size(), 10u);
+    EXPECT_EQ(std::set<int>(batch.begin(), batch.end()).size(), 10u);
+    EXPECT_EQ(std::count_if(batch.begin(), batch.end(), [](int row) { return row < 20; }), 1);
+    // The certain are not asked while there are uncertain ones (but for exploration).
+    for (int i = 20; i < 40; ++i)
+        predictions.at(i, 0).margin = i == 33 ? 0.001 : 5.0;
+    EXPECT_EQ(queue.next(std::vector<bool>(40, false), &predictions).front(), 33);
+}
+
+TEST(Queries, NeverAskTwiceAndEndWhenAllIsAnswered) {
+    const MadeActions made(23);
+    QueryQueue queue(made.features, {10, 0.2, true});
+    std::vector<bool> answered(23, false);
+    for (const std::size_t size : {10u, 10u, 3u, 0u}) {
+        const auto batch = queue.next(answered);
+        ASSERT_EQ(batch.size(), size);
+        for (const int row : batch) {
+            EXPECT_FALSE(answered[static_cast<std::size_t>(row)]);
+            answered[static_cast<std::size_t>(row)] = true;
+        }
+    }
+    EXPECT_TRUE(randomQueries(answered, 5, 1).empty());
+}
+
+TEST(Queries, AtRandomBySeed) {
+    const std::vector<bool> open(100, false);
+    EXPECT_EQ(randomQueries(open, 10, 5), randomQueries(open, 10, 5));
+    EXPECT_NE(randomQueries(open, 10, 5), randomQueries(open, 10, 6));
+}
+
+TEST(Queries, StopWhenItIsGoodOrDoesNotGetBetter) {
+    EXPECT_FALSE(mayStop({}));
+    std::vector<double> rounds = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.98};
+    EXPECT_TRUE(mayStop(rounds));
+    rounds.erase(rounds.begin());
+    EXPECT_FALSE(mayStop(rounds)) << "too early to tell";
+    EXPECT_FALSE(mayStop(std::vector<double>{0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.91}));
+    EXPECT_TRUE(mayStop(std::vector<double>{0.5, 0.6, 0.9, 0.9, 0.9, 0.9, 0.902, 0.903}));
+}
+
+TEST(Scores, WorkedOutOnPaper) {
+    const Vocabulary& v = kickboxing();
+    const auto labels = [&](std::vector<std::string> texts) {
+        std::vector<Label> list;
+        for (const auto& text : texts)
+            list.push_back(parseLabel(v, text + "+move:L-L"));
+        return list;
+    };
+    const auto truth = labels({"left_punch:fwd", "left_punch:bwd", "right_kick:up", "jump:up",
+                               "react:others", "react:others"});
+    const auto answers = labels({"left_punch:fwd", "left_punch:fwd", "left_kick:up", "jump:up",
+                                 "react:others", "left_punch:fwd"});
+    const Scores scores = judge(v, truth, answers);
+    EXPECT_DOUBLE_EQ(scores.labelAccuracy, 3.0 / 6);
+    EXPECT_DOUBLE_EQ(scores.limbAccuracy, 2.0 / 3) << "the jump is no strike";
+    EXPECT_DOUBLE_EQ(scores.baselineAccuracy, 2.0 / 6);
+    EXPECT_DOUBLE_EQ(scores.aspects[0].accuracy, 4.0 / 6);
+    // fwd: 1 hit, 2 false alarms: F1 = 2/4; bwd: 0; others: 3 hits, 1 missed: F1 = 6/7.
+    EXPECT_DOUBLE_EQ(scores.aspects[0].macroF1, (0.5 + 0.0 + 6.0 / 7) / 3);
+    EXPECT_EQ(scores.aspects[0].confusion[1][0], 1);
+}
+
+TEST(Scores, CohensKappa) {
+    // 20 actions, both yes 10, both no 5, first only 3, second only 2.
+    std::vector<int> first, second;
+    const auto add = [&](int a, int b, int times) {
+        first.insert(first.end(), static_cast<std::size_t>(times), a);
+        second.insert(second.end(), static_cast<std::size_t>(times), b);
+    };
+    add(1, 1, 10), add(0, 0, 5), add(1, 0, 3), add(0, 1, 2), add(kUnknown, 1, 4);
+    const double chance = 13.0 / 20 * 12 / 20 + 7.0 / 20 * 8 / 20;
+    EXPECT_NEAR(*cohensKappa(first, second), (0.75 - chance) / (1 - chance), 1e-12);
+    EXPECT_EQ(cohensKappa({}, {}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace kumite
