@@ -2,6 +2,7 @@
 
 #include "core/base/text.h"
 #include "core/cli/command.h"
+#include "core/project/demo_bout.h"
 #include "core/project/project_file.h"
 
 namespace kumite::cli {
@@ -28,9 +29,17 @@ void printFindings(const Findings& findings, const Streams& streams) {
 }
 
 OpenProject openProject(const std::string& path, const Streams& streams) {
-    LoadedProject loaded = loadProject(path, streams.progress("reading"));
+    OpenProject open;
+    open.path = path;
+    open.isDemo = path.empty();
+    if (open.isDemo) {
+        printFindings({note("No project was named: this is the demo bout.")}, streams);
+        const auto progress = streams.progress("making the demo bout");
+        open.path = writeDemoBout({}, demoFolder(), progress).project().string();
+    }
+    LoadedProject loaded = loadProject(open.path, streams.progress("reading"));
     printFindings(loaded.findings, streams);
-    OpenProject open{std::move(loaded.project), {}};
+    open.project = std::move(loaded.project);
     open.analysis = analyse(open.project, {}, streams.progress("computing"));
     return open;
 }

@@ -52,7 +52,10 @@ void addVersions(CLI::App& app, Action& action);
 struct OpenProject {
     Project project;
     Analysis analysis;
+    std::string path;     ///< of the project file
+    bool isDemo = false;  ///< none was named
 };
+/// Opens a project; an empty path means the demo bout, which is made for it.
 OpenProject openProject(const std::string& path, const Streams& streams);
 
 /// Take name and player (1 or 2) as an address. Throws Error that says what there is. An empty

@@ -12,7 +12,7 @@ void addExport(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "export",
         "Writes a take: its motion (.bvh, one file per player) or actions (.csv, .json).");
-    command->add_option("PROJECT", o->project, "a .kumite file")->required();
+    command->add_option("PROJECT", o->project, "a .kumite file; none: the demo bout");
     command->add_option("--take", o->take, "name of the take; may be left out if there is one");
     command->add_option("--out", o->out, "file to write; its suffix says what")->required();
     command->footer(
@@ -21,7 +21,7 @@ void addExport(CLI::App& app, Action& action) {
     command->callback([o, &action] {
         action = [o](const Streams& streams) {
             const OpenProject open = openProject(o->project, streams);
-            refuseToOverwrite(o->out, {o->project});
+            refuseToOverwrite(o->out, {open.path});
             const int take = fighterNamed(open.project, o->take, 1).take;
             for (const auto& file : exportTake(open.project, open.analysis, take, o->out)) {
                 streams.out << file.string() << "\n";

@@ -12,7 +12,7 @@ void addForce(CLI::App& app, Action& action) {
     auto o = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
         "force", "Contact force and smoothed centre of mass of one fighter, as a table.");
-    command->add_option("PROJECT", o->project, "a .kumite file")->required();
+    command->add_option("PROJECT", o->project, "a .kumite file; none: the demo bout");
     command->add_option("--take", o->take, "name of the take; may be left out if there is one");
     command->add_option("--player", o->player, "1 or 2")->check(CLI::Range(1, 2));
     command->add_option("--out", o->out, "table to write")->required();
@@ -24,7 +24,7 @@ void addForce(CLI::App& app, Action& action) {
             const OpenProject open = openProject(o->project, streams);
             const FighterAddress fighter = fighterNamed(open.project, o->take, o->player);
             std::vector<std::filesystem::path> sources = recordingFiles(open.project);
-            sources.emplace_back(o->project);
+            sources.emplace_back(open.path);
             refuseToOverwrite(o->out, sources);
             writeFileAtomically(o->out, forceCsv(open.analysis.at(fighter)));
         };

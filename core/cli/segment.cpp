@@ -55,7 +55,7 @@ void addSegment(CLI::App& app, Action& action) {
     auto o = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
         "segment", "Minima of the contact force, boundaries and actions of all takes.");
-    command->add_option("PROJECT", o->project, "a .kumite file")->required();
+    command->add_option("PROJECT", o->project, "a .kumite file; none: the demo bout");
     command->add_option("--cutoff", o->cutoff, "low-pass cutoff in Hz, for this run")
         ->check(numberFrom(0, false));
     command
@@ -71,13 +71,16 @@ void addSegment(CLI::App& app, Action& action) {
     command->callback([o, &action] {
         action = [o](const Streams& streams) {
             OpenProject open = openProject(o->project, streams);
+            if (o->save && open.isDemo) {
+                throw UsageError("--save needs a project; the demo bout is made anew each time.");
+            }
             SegmentationSettings settings = open.project.segmentation;
             settings.cutoff = o->cutoff.value_or(settings.cutoff);
             settings.prominence = o->prominence.value_or(settings.prominence);
             if (auto edit = setSegmentation(open.project, settings)) {
                 open.project = std::move(edit->project);
                 open.analysis = analyse(open.project, open.analysis);
-                if (o->save) printFindings(saveProject(open.project, o->project), streams);
+                if (o->save) printFindings(saveProject(open.project, open.path), streams);
             }
             printFindings(smoothingFindings(open.project, open.analysis), streams);
             if (o->json) {

@@ -1,5 +1,7 @@
 #include "core/project/demo_bout.h"
 
+#include <cstdlib>
+
 #include <fmt/format.h>
 
 #include "core/base/files.h"
@@ -43,6 +45,17 @@ DemoFiles writeDemoBout(const demo::DemoSettings& settings, const std::filesyste
     const ImportedTake imported = importTake(request, progress.part(0.9, 1));
     saveProject(addTake(Project{}, imported.take)->project, files.project());
     return files;
+}
+
+std::filesystem::path demoFolder() {
+    const auto named = [](const char* variable) {
+        const char* value = std::getenv(variable);
+        return std::filesystem::path(value ? value : "");
+    };
+    std::filesystem::path cache = named("XDG_CACHE_HOME");
+    if (!cache.is_absolute() && named("HOME").is_absolute()) cache = named("HOME") / ".cache";
+    if (!cache.is_absolute()) cache = std::filesystem::temp_directory_path();
+    return cache / "kumite" / "demo";
 }
 
 }  // namespace kumite

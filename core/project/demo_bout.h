@@ -22,4 +22,7 @@ struct DemoFiles {
 DemoFiles writeDemoBout(const demo::DemoSettings& settings, const std::filesystem::path& folder,
                         const Progress& progress = {});
 
+/// Where the demo bout of the window and the command line lies: a folder of this user's cache.
+std::filesystem::path demoFolder();
+
 }  // namespace kumite

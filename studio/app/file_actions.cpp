@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "core/project/demo_bout.h"
 #include "core/project/edits.h"
 #include "core/project/export.h"
 #include "core/project/import.h"
@@ -120,6 +121,24 @@ void FileActions::openProjectFile(const QString& path) {
             strip_.showFindings(tr("Found in %1").arg(QFileInfo(absolute).fileName()),
                                 project.findings);
             Q_EMIT opened({absolute});
+        });
+}
+
+void FileActions::openDemo() {
+    if (!mayLeave()) return;
+    jobs_.start(
+        tr("Making the demo bout"),
+        [](const Progress& progress) {
+            const DemoFiles files = writeDemoBout({}, demoFolder(), progress.part(0, 0.6));
+            return openProject(fromPath(files.project()), progress.part(0.6, 1));
+        },
+        [this](OpenedProject project) {
+            lock_ = nullptr;
+            onDisk_.clear();
+            session_.document().open(History(std::move(project.project)),
+                                     std::move(project.analysis), {}, false);
+            strip_.dismiss();
+            Q_EMIT reported(tr("The demo bout: two made fighters. Save it to keep what you change."));
         });
 }
 

@@ -42,6 +42,8 @@ public:
     void openBout(const TakeRequest& request, bool unsaved, const Recordings& known = {});
     /// Adds a take to the open project.
     void addBout(const TakeRequest& request, const Recordings& known = {});
+    /// Makes the demo bout and opens it as a project that has no file yet.
+    void openDemo();
     void openRecovered(const RecoveryCopy& copy);
 
     void askForRecordings();

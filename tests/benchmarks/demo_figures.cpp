@@ -1,4 +1,5 @@
-// Measures made bouts against their plan: kumite-demo-figures [SECONDS [SEEDS]]
+// Measures made bouts against their plan: kumite-demo-figures [SECONDS [SEEDS]]; or, by the same
+// figures, any project: kumite-demo-figures PROJECT.kumite …
 
 #include <chrono>
 #include <filesystem>
@@ -28,6 +29,37 @@ void print(const std::map<std::string, int>& counts, int all) {
     }
 }
 
+void printMotion(const FighterAnalysis& fighter) {
+    const test::MotionFigures m = test::measureMotion(fighter);
+    std::cout << fmt::format(
+        "      {:.2f} actions/s, vertical force {:.4f}, deviation {:.3f} BW, skate {:.3f}, under "
+        "floor "
+        "{:.1f} mm, knee {:.0f}-{:.0f}, elbow {:.0f}-{:.0f} deg, hand {:.1f} m/s, foot {:.1f} "
+        "m/s\n",
+        m.actionsPerSecond, m.meanVerticalForce, m.forceDeviation, m.skate,
+        1000 * m.deepestUnderFloor, degrees(m.sharpestKnee), degrees(m.straightestKnee),
+        degrees(m.sharpestElbow), degrees(m.straightestElbow), m.fastestHand, m.fastestFoot);
+}
+
+void printPair(const Take& take, const std::vector<FighterAnalysis>& fighters) {
+    const test::PairFigures pair = test::measurePair(take, fighters);
+    std::cout << fmt::format(
+        "   distance {:.2f} / {:.2f} / {:.2f} m; overlap above 3 cm in {:.2f} % of frames, deepest "
+        "{:.1f} cm\n",
+        pair.nearest, pair.mean, pair.farthest, 100 * pair.overlapShare, 100 * pair.deepestOverlap);
+}
+
+void measureProject(const std::filesystem::path& path) {
+    const Project project = loadProject(path).project;
+    const Analysis analysis = analyse(project);
+    for (std::size_t t = 0; t < project.takes.size(); ++t) {
+        std::cout << project.takes[t].name << "\n";
+        for (const FighterAnalysis& fighter : analysis.takes[t])
+            printMotion(fighter);
+        if (analysis.takes[t].size() == 2) printPair(project.takes[t], analysis.takes[t]);
+    }
+}
+
 void measure(double seconds, std::uint64_t seed, const std::filesystem::path& folder) {
     const auto start = Clock::now();
     const DemoFiles files = writeDemoBout({seconds, 60, seed}, folder);
@@ -41,27 +73,15 @@ void measure(double seconds, std::uint64_t seed, const std::filesystem::path& fo
     for (std::size_t p = 0; p < 2; ++p) {
         const FighterAnalysis& fighter = analysis.takes[0][p];
         const test::CutFigures cut = test::compareCut(fighter, truth["players"][p], 60);
-        const test::MotionFigures m = test::measureMotion(fighter);
         std::cout << fmt::format(
             "   fighter {}: F1 {:.4f} ({} planned, {} found, {} matched), spurious {} ({:.1f} %), "
             "in "
             "top 5 %: {}\n",
             p + 1, cut.f1(), cut.planned, cut.found, cut.matched, cut.spurious,
             100.0 * cut.spurious / cut.found, cut.spuriousInTop);
-        std::cout << fmt::format(
-            "      {:.2f} actions/s, vertical force {:.4f}, deviation {:.3f} BW, skate {:.3f}, "
-            "under "
-            "floor {:.1f} mm, knee {:.0f}-{:.0f}, elbow {:.0f}-{:.0f} deg, hand {:.1f} m/s, foot "
-            "{:.1f} m/s\n",
-            m.actionsPerSecond, m.meanVerticalForce, m.forceDeviation, m.skate,
-            1000 * m.deepestUnderFloor, degrees(m.sharpestKnee), degrees(m.straightestKnee),
-            degrees(m.sharpestElbow), degrees(m.straightestElbow), m.fastestHand, m.fastestFoot);
+        printMotion(fighter);
     }
-    const test::PairFigures pair = test::measurePair(project.takes[0], analysis.takes[0]);
-    std::cout << fmt::format(
-        "   distance {:.2f} / {:.2f} / {:.2f} m; overlap above 3 cm in {:.2f} % of frames, deepest "
-        "{:.1f} cm\n",
-        pair.nearest, pair.mean, pair.farthest, 100 * pair.overlapShare, 100 * pair.deepestOverlap);
+    printPair(project.takes[0], analysis.takes[0]);
     const test::LabelFigures labels = test::measureLabels(truth);
     std::cout << fmt::format(
         "   baseline {:.3f}; information {:.3f} bits (by chance {:.3f}), of range {:.3f} bits\n",
@@ -84,6 +104,11 @@ void measure(double seconds, std::uint64_t seed, const std::filesystem::path& fo
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc > 1 && !parseNumber(argv[1])) {
+        for (int i = 1; i < argc; ++i)
+            measureProject(argv[i]);
+        return 0;
+    }
     const double seconds = argc > 1 ? parseNumber(argv[1]).value_or(300) : 300;
     const int seeds = argc > 2 ? static_cast<int>(parseNumber(argv[2]).value_or(5)) : 5;
     const auto folder = std::filesystem::temp_directory_path() / "kumite-demo-figures";

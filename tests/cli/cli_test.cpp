@@ -79,7 +79,7 @@ TEST_F(Cli, WrongUsageIsTwoAndFailureIsOne) {
         {},
         {"dance"},
         {"info"},
-        {"segment"},
+        {"correct"},
         {"segment", project, "--cutoff", "fast"},
         {"segment", project, "--cutoff", "0"},
         {"segment", project, "--prominence", "-1"},
@@ -356,6 +356,62 @@ TEST_F(Cli, EveryFileOfTheRecordingsOpens) {
         ++opened;
     }
     EXPECT_GE(opened, 20);
+}
+
+TEST_F(Cli, DemoMakesABoutThatTheOtherCommandsTake) {
+    const std::string out = (folder / "demo").string();
+    const Result made =
+        kumite({"demo", "--out", out, "--seconds", "5", "--fps", "50", "--seed", "7"});
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(made.out, out + "/demo.kumite\n");
+    const auto truth = nlohmann::json::parse(test::readText(out + "/truth.json"));
+    EXPECT_EQ(truth["rate"], 50);
+    ASSERT_EQ(truth["players"].size(), 2u);
+    for (const char* key : {"boundaries", "spurious", "actions"}) {
+        EXPECT_TRUE(truth["players"][0].contains(key)) << key;
+    }
+    const auto& label = truth["players"][1]["actions"][0]["label"];
+    for (const char* aspect :
+         {"left_punch", "right_punch", "left_kick", "right_kick", "jump", "react", "move"}) {
+        EXPECT_TRUE(label.contains(aspect)) << aspect;
+    }
+    const Result cut = kumite({"segment", out + "/demo.kumite", "--json"});
+    ASSERT_EQ(cut.code, 0) << cut.err;
+    const auto players = nlohmann::json::parse(cut.out)["takes"][0]["players"];
+    ASSERT_EQ(players.size(), 2u);
+    EXPECT_EQ(players[0]["frames"], 250);
+    // The same seed, the same bytes.
+    const std::string again = (folder / "again").string();
+    ASSERT_EQ(kumite({"demo", "--out", again, "--seconds", "5", "--fps", "50", "--seed", "7"}).code,
+              0);
+    for (const char* name : {"/player1.bvh", "/player2.bvh", "/truth.json"}) {
+        EXPECT_EQ(test::readText(out + name), test::readText(again + name)) << name;
+    }
+}
+
+TEST_F(Cli, DemoSaysWhatItCannotMake) {
+    const Result tooShort = kumite({"demo", "--out", (folder / "x").string(), "--seconds", "0.2"});
+    EXPECT_EQ(tooShort.code, 1);
+    EXPECT_NE(tooShort.err.find("from 1 second"), std::string::npos) << tooShort.err;
+    const Result tooFast = kumite({"demo", "--out", (folder / "x").string(), "--fps", "500"});
+    EXPECT_EQ(tooFast.code, 1);
+    EXPECT_EQ(kumite({"demo"}).code, 2);
+    test::writeText(folder / "file", "");
+    const Result noFolder = kumite({"demo", "--out", (folder / "file" / "x").string()});
+    EXPECT_EQ(noFolder.code, 1);
+    EXPECT_NE(noFolder.err.find("cannot be made"), std::string::npos) << noFolder.err;
+}
+
+TEST_F(Cli, WithoutAProjectACommandTakesTheDemoBout) {
+    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+    const Result cut = kumite({"segment", "--json"});
+    EXPECT_EQ(cut.code, 0) << cut.err;
+    EXPECT_NE(cut.err.find("demo bout"), std::string::npos) << cut.err;
+    EXPECT_EQ(nlohmann::json::parse(cut.out)["takes"][0]["name"], "demo");
+    const Result force = kumite({"force", "--player", "2", "--out", (folder / "f.csv").string()});
+    EXPECT_EQ(force.code, 0) << force.err;
+    EXPECT_EQ(kumite({"segment", "--cutoff", "7", "--save"}).code, 2);
+    unsetenv("XDG_CACHE_HOME");
 }
 
 }  // namespace

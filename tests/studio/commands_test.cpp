@@ -41,7 +41,9 @@ protected:
     std::vector<QString> ids() {
         std::vector<QString> found;
         for (const Command& command : window_->commands().commands()) {
-            if (command.id != "file.quit") found.push_back(command.id);
+            // These two leave what is open; tests of their own run them.
+            const bool leaves = command.id == "file.quit" || command.id == "file.openDemo";
+            if (!leaves) found.push_back(command.id);
         }
         return found;
     }

@@ -56,6 +56,26 @@ TEST_F(WindowTest, OpensTwoRecordings) {
     EXPECT_EQ(recentFiles().front(), recordings());
 }
 
+TEST_F(WindowTest, TheWelcomePageOpensTheDemoBout) {
+    qputenv("XDG_CACHE_HOME", file("cache").toUtf8());
+    window_->show();
+    QPushButton* begin = nullptr;
+    for (auto* button : window_->findChildren<QPushButton*>()) {
+        if (button->isVisible() && button->text() == "Open the demo bout") begin = button;
+    }
+    ASSERT_NE(begin, nullptr);
+    QTest::mouseClick(begin, Qt::LeftButton);
+    settle();
+    ASSERT_TRUE(session().document().isOpen());
+    EXPECT_EQ(session().playerCount(), 2);
+    EXPECT_EQ(session().fighter(0)->frameCount(), 90 * 60);
+    EXPECT_GT(session().marks(0).size(), 100U);
+    EXPECT_FALSE(window_->isWindowModified());
+    // It has no file yet: nothing of the made bout is written over by saving.
+    EXPECT_TRUE(session().document().path().isEmpty());
+    qunsetenv("XDG_CACHE_HOME");
+}
+
 TEST_F(WindowTest, ViewIsAtLeastHalfOfTheWindow) {
     openBout();
     for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {

@@ -321,8 +321,8 @@ void ImportDialog::showFound(const ImportLook& look) {
     }
     rates.removeDuplicates();
     frames.removeDuplicates();
-    rateFound_->setText(tr("Hz; the header says %1").arg(rates.join(tr(" and "))));
-    framesFound_->setText(tr("now %1").arg(frames.join(tr(" and "))));
+    rateFound_->setText(tr("Hz; header: %1").arg(rates.join(tr(" and "))));
+    framesFound_->setText(frames.join(tr(" and ")));
 }
 
 void ImportDialog::showProblem(const QString& problem) {
