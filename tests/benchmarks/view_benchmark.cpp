@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "kumite-view-benchmark RECORDING [RECORDING]\n");
         return 2;
     }
-    OpenedProject opened = openRecordings(requestFor(files), {});
+    OpenedProject opened = openRecordings(requestFor(files), {}, {});
     Session session;
     StageView view(session);
     view.resize(1280, 800);

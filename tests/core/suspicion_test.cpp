@@ -25,12 +25,12 @@ struct Stream {
     }
 };
 
-/// Forty minima, every fourth shallow.
+/// Forty minima, every fourth somewhat shallower and higher than the rest.
 Stream mixed() {
     Stream stream;
     for (int i = 1; i <= 40; ++i) {
         const bool shallow = i % 4 == 0;
-        stream.add(48 * i, shallow ? 0.97 : 0.6, shallow ? 0.06 : 0.5);
+        stream.add(48 * i, shallow ? 0.68 : 0.6, shallow ? 0.3 : 0.5);
     }
     return stream;
 }
@@ -71,6 +71,18 @@ TEST(Suspicion, LearnsFromRemovals) {
         EXPECT_GT(after[i], 2 * before[i]);
         EXPECT_GT(after[i], 5 * after[i - 1]);
     }
+}
+
+TEST(Suspicion, WhatIsUsualIsTheFightersOwn) {
+    // The same minimum: everyday for one who dances, odd for one who fights.
+    Stream dancer, fighter;
+    for (int i = 1; i <= 40; ++i) {
+        const bool odd = i == 20;
+        dancer.add(48 * i, odd ? 0.93 : 0.9, odd ? 0.15 : 0.18);
+        fighter.add(48 * i, odd ? 0.93 : 0.6, odd ? 0.15 : 0.6);
+    }
+    EXPECT_LT(dancer.rank()[19], 0.05);
+    EXPECT_GT(fighter.rank()[19], 0.15);
 }
 
 TEST(Suspicion, LearnsTheOppositeToo) {
