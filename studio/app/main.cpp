@@ -159,5 +159,6 @@ int main(int argc, char** argv) {
     }
     offerRecovery(window, recovery);
     if (!runScript(window, wishes.script)) return 1;
+    if (!window.isVisible()) return 0;  // a command has quit already
     return QApplication::exec();
 }
