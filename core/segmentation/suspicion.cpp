@@ -22,7 +22,7 @@ Vector priorWeights() {
 
 /// How firmly it is believed: corrections outweigh it after a handful.
 Vector priorPrecision() {
-    return Vector(0.5, 2.0, 2.0, 2.0, 2.0);
+    return Vector(12.0, 4.0, 0.1, 2.0, 2.0);
 }
 
 /// Untouched minima are probably right, but nobody said so: all together they weigh 40 times as
