@@ -174,8 +174,11 @@ void SegmentPanel::showSelection() {
         static const QRegularExpression beforeUnit(QStringLiteral("(?<=\\d) "));
         reason_->setText(model_->reasonAt(row).replace(beforeUnit, QString(QChar::Nbsp)));
     } else {
-        reason_->setText(mark ? tr("A boundary that a hand has set.")
-                              : tr("N leads to the most suspicious minimum."));
+        const bool anySuspect = model_->rowCount() > 0 && model_->suspectAt(0).isOpen() &&
+                                model_->suspectAt(0).suspicion >= kSuspect;
+        reason_->setText(mark         ? tr("A boundary that a hand has set.")
+                         : anySuspect ? tr("N leads to the most suspicious minimum.")
+                                      : tr("No suspect is left. N leads through the others."));
     }
     filling_ = false;
 }
