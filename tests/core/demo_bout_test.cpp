@@ -288,8 +288,8 @@ TEST(DemoBout, StrikesThatLandTouch) {
     }
     ASSERT_GT(strikes, 100);
     std::sort(misses.begin(), misses.end());
-    EXPECT_LT(misses[misses.size() / 2], 0.01);
-    EXPECT_LT(misses[9 * misses.size() / 10], 0.06);
+    EXPECT_LT(misses[misses.size() / 2], 0.002);
+    EXPECT_LT(misses[9 * misses.size() / 10], 0.02);
     EXPECT_GT(landed, strikes / 4);
     EXPECT_LT(landed, strikes);
 }
