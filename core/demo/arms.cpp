@@ -11,10 +11,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-double sign(Side side) {
-    return side == Side::Left ? 1.0 : -1.0;
-}
-
 double of2(const Posture& p, Side side, Control left, Control right) {
     return of(p, side == Side::Left ? left : right);
 }

@@ -37,10 +37,6 @@ std::vector<Share> sharesOf(const BodyModel& model) {
     return shares;
 }
 
-double outward(Side side) {
-    return side == Side::Left ? 1.0 : -1.0;
-}
-
 }  // namespace
 
 Role roleOf(Side side, Part part) {
@@ -73,7 +69,7 @@ void placeTrunk(const BodySize& size, const Pose& pose, Landmarks& marks) {
     marks[Role::Head] = marks[Role::Neck] + pose.neckTurn * Vector3d(0, size.neck, 0);
     marks.headTop = marks[Role::Head] + pose.headTurn * Vector3d(0, size.head, 0);
     for (const Side side : {Side::Left, Side::Right}) {
-        const double x = outward(side);
+        const double x = sign(side);
         const Vector3d clavicle = point + turn * Vector3d(0.02 * x, size.clavicleRise, 0);
         marks[roleOf(side, Part::Clavicle)] = clavicle;
         marks[roleOf(side, Part::UpperArm)] =
@@ -85,7 +81,7 @@ void placeTrunk(const BodySize& size, const Pose& pose, Landmarks& marks) {
 
 void placeLimbs(const BodySize& size, const Pose& pose, Landmarks& marks) {
     for (const Side side : {Side::Left, Side::Right}) {
-        const double x = outward(side);
+        const double x = sign(side);
         const auto mark = [&](Part part) -> Vector3d& { return marks[roleOf(side, part)]; };
         mark(Part::Forearm) = mark(Part::UpperArm) +
                               pose.turn(side, Part::UpperArm) * Vector3d(size.upperArm * x, 0, 0);

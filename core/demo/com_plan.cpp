@@ -24,7 +24,7 @@ Wish wishAt(const PlannedAction& ending, const PlannedAction& beginning, Side le
     Wish wish;
     const Technique& t = ending.technique;
     for (const Side side : {Side::Left, Side::Right}) {
-        const double outward = side == Side::Left ? 1.0 : -1.0;
+        const double outward = sign(side);
         if (t.legOutAtEnd(side)) {
             wish.left -= 0.09 * outward;               // over the foot that carries
             wish.ahead += side == lead ? 0.04 : 0.11;  // the rear leg takes the hips along

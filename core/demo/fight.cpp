@@ -12,10 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-double sign(Side side) {
-    return side == Side::Left ? 1.0 : -1.0;
-}
-
 Vector3d towardAttacker(const Figure& defender, const Vector3d& attacker) {
     Vector3d way = attacker - defender.marks[Role::Neck];
     way.y() = 0;

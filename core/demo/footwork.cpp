@@ -22,7 +22,7 @@ struct Home {
 /// Where a foot belongs when the body stands at `station` and faces `facing`.
 Home homeOf(const Temper& temper, Side side, const Vector2d& station, double facing) {
     const bool lead = side == leadOf(temper);
-    const double outward = side == Side::Left ? 1.0 : -1.0;
+    const double outward = sign(side);
     const double ahead = lead ? 0.29 : -0.13;
     const double aside = outward * (lead ? 0.10 : 0.15);
     const Vector2d forward(std::sin(facing), std::cos(facing));
@@ -162,7 +162,7 @@ private:
         if (!isFree(support, from) || !isFree(other(support), from)) return;
         const Vector2d body = bodyAt(kick.end);
         const Vector2d forward = (opponent_.stationAt(kick.end) - body).normalized();
-        const double outward = support == Side::Left ? 1.0 : -1.0;
+        const double outward = sign(support);
         const bool lead = support == leadOf(script_.temper);
         Home home;
         home.toe = body + (lead ? 0.10 : 0.05) * forward;

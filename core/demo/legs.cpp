@@ -14,10 +14,6 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-double sign(Side side) {
-    return side == Side::Left ? 1.0 : -1.0;
-}
-
 /// The ankle of a foot whose toe is at `toe`, turned by yaw, heel raised by `pitch`.
 Vector3d ankleOver(const BodySize& size, const Vector3d& toe, double yaw, double pitch) {
     return toe +

@@ -24,10 +24,6 @@ Control pivot(Side side) {
     return side == Side::Left ? Control::LeftPivot : Control::RightPivot;
 }
 
-double sign(Side side) {
-    return side == Side::Left ? 1.0 : -1.0;
-}
-
 Posture guardOf(const Temper& temper) {
     const Side lead = leadOf(temper);
     const Side rear = other(lead);

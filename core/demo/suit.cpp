@@ -18,10 +18,6 @@ constexpr double degrees(double value) {
     return value * std::numbers::pi / 180;
 }
 
-double sign(Side side) {
-    return side == Side::Left ? 1.0 : -1.0;
-}
-
 /// Puts a skeleton together, joint by joint, in the T-pose and metres; the rest pose and the unit
 /// come in as each joint is added.
 class Tailor {

@@ -12,6 +12,11 @@ inline Side other(Side side) {
     return side == Side::Left ? Side::Right : Side::Left;
 }
 
+/// 1 for the left, which is +x in a body's frame, −1 for the right.
+inline double sign(Side side) {
+    return side == Side::Left ? 1.0 : -1.0;
+}
+
 /// Qualifiers of the learnt aspects (method A3), spelt by `name`.
 enum class Punch { Others, Fwd, Bwd, BwdFwd, FwdBwd };
 enum class Kick { Others, Up, Down, DownUp };
