@@ -52,10 +52,10 @@ std::filesystem::path demoFolder() {
         const char* value = std::getenv(variable);
         return std::filesystem::path(value ? value : "");
     };
-    std::filesystem::path cache = named("XDG_CACHE_HOME");
-    if (!cache.is_absolute() && named("HOME").is_absolute()) cache = named("HOME") / ".cache";
-    if (!cache.is_absolute()) cache = std::filesystem::temp_directory_path();
-    return cache / "kumite" / "demo";
+    std::filesystem::path data = named("XDG_DATA_HOME");
+    if (!data.is_absolute() && named("HOME").is_absolute()) data = named("HOME") / ".local/share";
+    if (!data.is_absolute()) data = std::filesystem::temp_directory_path();
+    return data / "kumite" / "demo";
 }
 
 }  // namespace kumite

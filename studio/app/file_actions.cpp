@@ -47,7 +47,9 @@ QString FileActions::startFolder() const {
     if (!document.path().isEmpty()) return QFileInfo(document.path()).absolutePath();
     const auto& takes = document.project().takes;
     if (!takes.empty() && !takes.front().fighters.empty()) {
-        return QFileInfo(fromPath(takes.front().fighters.front().recording.path)).absolutePath();
+        const auto folder = takes.front().fighters.front().recording.path.parent_path();
+        // The demo bout's own folder is no place for anybody's work.
+        if (folder != demoFolder()) return fromPath(folder);
     }
     return QSettings()
         .value(QStringLiteral("folder"),
@@ -138,7 +140,8 @@ void FileActions::openDemo() {
             session_.document().open(History(std::move(project.project)),
                                      std::move(project.analysis), {}, false);
             strip_.dismiss();
-            Q_EMIT reported(tr("The demo bout: two made fighters. Save it to keep what you change."));
+            Q_EMIT reported(
+                tr("The demo bout: two made fighters. Save it to keep what you change."));
         });
 }
 

@@ -201,6 +201,14 @@ void Session::goTo(const BoundaryRef& boundary) {
     reveal(transport_.playhead());
 }
 
+void Session::examine(const BoundaryRef& boundary) {
+    goTo(boundary);
+    constexpr double kNear = 8;  // seconds; who is nearer already stays so
+    const double length = std::min(kNear, visible_.end - visible_.begin);
+    const double middle = transport_.playhead();
+    setVisible({middle - length / 2, middle + length / 2});
+}
+
 void Session::setVisible(TimeSpan span) {
     const TimeSpan all = transport_.span();
     const double whole = std::max(kShortestVisible, all.end - all.begin);

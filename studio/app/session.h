@@ -66,6 +66,8 @@ public:
     void select(std::optional<BoundaryRef> boundary);
     /// Selects, makes its fighter active and moves the playhead there.
     void goTo(const BoundaryRef& boundary);
+    /// The same, shown from near and in the middle, so that it can be judged.
+    void examine(const BoundaryRef& boundary);
 
     /// A boundary and an action are never selected together.
     const std::optional<ActionRef>& selectedAction() const { return selectedAction_; }

@@ -403,7 +403,7 @@ TEST_F(Cli, DemoSaysWhatItCannotMake) {
 }
 
 TEST_F(Cli, WithoutAProjectACommandTakesTheDemoBout) {
-    setenv("XDG_CACHE_HOME", folder.path().c_str(), 1);
+    setenv("XDG_DATA_HOME", folder.path().c_str(), 1);
     const Result cut = kumite({"segment", "--json"});
     EXPECT_EQ(cut.code, 0) << cut.err;
     EXPECT_NE(cut.err.find("demo bout"), std::string::npos) << cut.err;
@@ -411,7 +411,7 @@ TEST_F(Cli, WithoutAProjectACommandTakesTheDemoBout) {
     const Result force = kumite({"force", "--player", "2", "--out", (folder / "f.csv").string()});
     EXPECT_EQ(force.code, 0) << force.err;
     EXPECT_EQ(kumite({"segment", "--cutoff", "7", "--save"}).code, 2);
-    unsetenv("XDG_CACHE_HOME");
+    unsetenv("XDG_DATA_HOME");
 }
 
 }  // namespace

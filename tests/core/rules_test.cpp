@@ -9,7 +9,8 @@ namespace {
 
 TEST(MoveRule, KnownAnswers) {
     KUMITE_NEEDS_DATA();
-    for (const auto& take : test::knownAnswer("move_rule")["takes"]) {
+    const auto known = test::knownAnswer("move_rule");
+    for (const auto& take : known["takes"]) {
         const FootContacts contacts{take["left"].get<std::vector<std::uint8_t>>(),
                                     take["right"].get<std::vector<std::uint8_t>>()};
         const std::vector<Stance> stand = stances(contacts);

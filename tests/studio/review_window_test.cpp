@@ -54,6 +54,10 @@ TEST_F(ReviewTest, KeysLeadThroughTheSuspectsWorstFirst) {
     press(Qt::Key_N);
     EXPECT_EQ(session().selection(), suspects[0].boundary);
     EXPECT_NEAR(session().transport().playhead(), suspects[0].seconds, 1e-9);
+    // It is shown from near.
+    EXPECT_LE(session().visible().end - session().visible().begin, 8.0 + 1e-9);
+    EXPECT_LT(session().visible().begin, suspects[0].seconds);
+    EXPECT_GT(session().visible().end, suspects[0].seconds);
     press(Qt::Key_N);
     EXPECT_EQ(session().selection(), suspects[1].boundary);
     press(Qt::Key_N, Qt::ShiftModifier);

@@ -57,7 +57,7 @@ TEST_F(WindowTest, OpensTwoRecordings) {
 }
 
 TEST_F(WindowTest, TheWelcomePageOpensTheDemoBout) {
-    qputenv("XDG_CACHE_HOME", file("cache").toUtf8());
+    qputenv("XDG_DATA_HOME", file("data").toUtf8());
     window_->show();
     QPushButton* begin = nullptr;
     for (auto* button : window_->findChildren<QPushButton*>()) {
@@ -73,7 +73,7 @@ TEST_F(WindowTest, TheWelcomePageOpensTheDemoBout) {
     EXPECT_FALSE(window_->isWindowModified());
     // It has no file yet: nothing of the made bout is written over by saving.
     EXPECT_TRUE(session().document().path().isEmpty());
-    qunsetenv("XDG_CACHE_HOME");
+    qunsetenv("XDG_DATA_HOME");
 }
 
 TEST_F(WindowTest, ViewIsAtLeastHalfOfTheWindow) {

@@ -23,7 +23,7 @@ std::vector<Suspect> openSuspects(const Session& session) {
 void goOn(Session& session) {
     const std::vector<Suspect> open = openSuspects(session);
     if (!open.empty() && open.front().suspicion >= kSuspect) {
-        session.goTo(open.front().boundary);
+        session.examine(open.front().boundary);
         return;
     }
     Q_EMIT session.hinted(open.empty()
@@ -76,7 +76,7 @@ void stepSuspect(Session& session, int direction) {
     const auto now = selected - open.begin();
     // From elsewhere the first step leads to the most suspicious.
     const auto next = selected == open.end() ? 0 : (now + direction + count) % count;
-    session.goTo(open[static_cast<std::size_t>(next)].boundary);
+    session.examine(open[static_cast<std::size_t>(next)].boundary);
 }
 
 void acceptSuspect(Session& session) {

@@ -185,7 +185,7 @@ void SegmentPanel::showSelection() {
 
 void SegmentPanel::chooseRow(int row) {
     if (filling_ || row < 0 || row >= model_->rowCount()) return;
-    session_.goTo(model_->suspectAt(row).boundary);
+    session_.examine(model_->suspectAt(row).boundary);
 }
 
 }  // namespace kumite::studio
