@@ -22,8 +22,8 @@ struct DemoFiles {
 DemoFiles writeDemoBout(const demo::DemoSettings& settings, const std::filesystem::path& folder,
                         const Progress& progress = {});
 
-/// Where the demo bout of the window and the command line lies: a folder of this user's data, because
-/// projects that are made of it go on naming its recordings.
+/// Where the demo bout of the window and the command line lies: a folder of this user's data,
+/// because projects that are made of it go on naming its recordings.
 std::filesystem::path demoFolder();
 
 }  // namespace kumite
