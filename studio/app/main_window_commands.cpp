@@ -31,11 +31,10 @@ QString grouped(const QString& menu) {
 void MainWindow::addFileCommands() {
     const auto open = [this] { return session_.document().isOpen(); };
     const QString menu = tr("&File");
-    commands_->add({"file.openDemo",
-                    menu,
-                    tr("Open the &demo bout"),
-                    {QKeySequence("Ctrl+Alt+D")},
-                    [this] { files_->openDemo(); }});
+    commands_->add(
+        {"file.openDemo", menu, tr("Open the &demo bout"), {QKeySequence("Ctrl+Alt+D")}, [this] {
+             files_->openDemo();
+         }});
     commands_->add({"file.openRecordings",
                     menu,
                     tr("Open &recordings…"),
