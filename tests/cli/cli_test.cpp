@@ -1,5 +1,4 @@
 // The command line as scripts see it: words in, output and exit code out.
-#include "core/cli/run.h"
 
 #include <filesystem>
 #include <fstream>
@@ -10,23 +9,15 @@
 
 #include "core/formats/bvh.h"
 #include "core/project/versions.h"
+#include "tests/cli/command_line.h"
 #include "tests/support/builders.h"
 #include "tests/support/fixtures.h"
 
 namespace kumite {
 namespace {
 
-struct Result {
-    int code;
-    std::string out;
-    std::string err;
-};
-
-Result kumite(const std::vector<std::string>& words) {
-    std::ostringstream out, err;
-    const int code = cli::run(words, out, err);
-    return {code, out.str(), err.str()};
-}
+using test::kumite;
+using test::Result;
 
 class Cli : public testing::Test {
 protected:

@@ -5,23 +5,14 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "core/cli/run.h"
+#include "tests/cli/command_line.h"
 #include "tests/support/fixtures.h"
 
 namespace kumite {
 namespace {
 
-struct Result {
-    int code;
-    std::string out;
-    std::string err;
-};
-
-Result kumite(const std::vector<std::string>& words) {
-    std::ostringstream out, err;
-    const int code = cli::run(words, out, err);
-    return {code, out.str(), err.str()};
-}
+using test::kumite;
+using test::Result;
 
 class LabelCommand : public testing::Test {
 protected:
