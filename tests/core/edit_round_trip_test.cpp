@@ -228,7 +228,7 @@ void expectSame(const Project& a, Project b, const std::string& after) {
 
 TEST(EditRoundTrip, CoversEveryEdit) {
     const std::string header =
-        test::readText(std::filesystem::path(KUMITE_SOURCE_DIR) / "core/project/edits.h");
+        test::readText(test::sourceFolder() / "core/project/edits.h");
     const std::regex declaration(R"(\nMaybeEdit (\w+)\()");
     std::set<std::string> declared;
     for (std::sregex_iterator it(header.begin(), header.end(), declaration), end; it != end; ++it)

@@ -25,7 +25,7 @@ std::string includedBy(std::string_view line) {
 template <typename Check>
 int forIncludes(const std::string& folder, const Check& check) {
     int files = 0;
-    const std::filesystem::path root(KUMITE_SOURCE_DIR);
+    const std::filesystem::path root = test::sourceFolder();
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {
         const std::string suffix = entry.path().extension().string();
         if (suffix != ".h" && suffix != ".cpp") continue;

@@ -9,11 +9,14 @@
 
 namespace kumite::test {
 
+std::filesystem::path sourceFolder() {
+    return KUMITE_SOURCE_DIR;
+}
+
 std::optional<std::filesystem::path> dataFolder() {
     const char* set = std::getenv("KUMITE_DATA");
     const std::filesystem::path folder =
-        set ? std::filesystem::path(set)
-            : std::filesystem::path(KUMITE_SOURCE_DIR) / ".." / "shared" / "data";
+        set ? std::filesystem::path(set) : sourceFolder() / ".." / "shared" / "data";
     if (!std::filesystem::exists(folder / "MANIFEST.md")) return std::nullopt;
     return std::filesystem::canonical(folder);
 }

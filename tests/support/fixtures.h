@@ -9,6 +9,9 @@
 
 namespace kumite::test {
 
+/// The checkout that these tests were built from.
+std::filesystem::path sourceFolder();
+
 /// Folder of the real recordings: KUMITE_DATA, else shared/data beside the checkout. Nothing where
 /// there is none: tests on recordings are then skipped (a clone alone cannot have them).
 std::optional<std::filesystem::path> dataFolder();
