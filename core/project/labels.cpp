@@ -115,7 +115,7 @@ void requireQualifier(const Aspect& aspect, int qualifier) {
 
 std::string howMany(std::span<const int> actions, FighterAddress fighter) {
     return actions.size() == 1
-               ? fmt::format("action {}, fighter {}", actions.front() + 1, fighter.player + 1)
+               ? fmt::format("action {}, fighter {}", actions.front(), fighter.player + 1)
                : fmt::format("{} actions, fighter {}", actions.size(), fighter.player + 1);
 }
 

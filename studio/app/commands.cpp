@@ -50,7 +50,8 @@ void CommandTable::add(Command command) {
         for (QWidget* scope : command.scopes)
             scope->addAction(action);
     }
-    connect(action, &QAction::triggered, this, [this, run = command.run] {
+    connect(action, &QAction::triggered, this, [this, id = command.id, run = command.run] {
+        Q_EMIT running(id);
         run();
         refresh();
     });

@@ -74,6 +74,8 @@ public:
 Q_SIGNALS:
     /// Keys or texts are others now.
     void renamed();
+    /// A command is about to run.
+    void running(const QString& id);
 
 private:
     std::size_t indexOf(const QString& id) const;

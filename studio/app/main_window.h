@@ -10,7 +10,7 @@
 #include "studio/app/preferences_dialog.h"
 #include "studio/app/session.h"
 
-class QLabel;
+class QKeyEvent;
 class QSplitter;
 class QStackedWidget;
 class QToolButton;
@@ -24,6 +24,7 @@ class FileActions;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
+class StatusLine;
 class SystemTheme;
 class TimelineView;
 class TransportBar;
@@ -95,8 +96,9 @@ private:
     void followSystemTheme();
     void refreshTitle();
     void refreshIcons();
-    void showStatus(const QString& text);
+    void showKeysHint();
     QString keysHint() const;
+    bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();
     void changeSpeed(int direction);
     void stepTake(int direction);
@@ -122,7 +124,7 @@ private:
     TimelineView* timeline_ = nullptr;
     MessageStrip* strip_ = nullptr;
     FileActions* files_ = nullptr;
-    QLabel* status_ = nullptr;
+    StatusLine* status_ = nullptr;
     QToolButton* findingsButton_ = nullptr;
     QPointer<QDialog> keysPage_;
     QPointer<PreferencesDialog> preferencesDialog_;

@@ -119,20 +119,32 @@ QString MainWindow::keysHint() const {
     struct Entry {
         QStringList commands;
         QString text;
+        bool holds = true;
     };
+    const bool playing = session_.transport().isPlaying();
+    const bool measuring = stage_->isMeasuring();
+    const bool boundary = session_.selection().has_value();
+    const bool action = session_.selectedAction().has_value();
     const QList<Entry> entries = {
-        {{"transport.play"}, tr("play")},
-        {{"review.next"}, tr("next suspect")},
-        {{"review.accept"}, tr("keep")},
-        {{"review.reject"}, tr("remove")},
+        {{"view.previousJoint", "view.nextJoint"}, tr("joint"), measuring},
+        {{"view.takeJoint"}, tr("measure from or to it"), measuring},
+        {{"fighter.other"}, tr("other fighter"), measuring},
+        {{"view.leaveMeasuring"}, tr("leave measuring"), measuring},
+        {{"transport.play"}, playing ? tr("pause") : tr("play")},
+        {{"review.next"}, tr("next suspect"), !measuring},
+        {{"review.accept"}, tr("keep"), boundary && !measuring},
+        {{"review.reject"}, tr("remove"), boundary && !measuring},
+        {{"action.previous", "action.next"}, tr("action"), action && !measuring},
+        {{"action.note"}, tr("note"), action && !measuring},
         {{"transport.back", "transport.on"}, tr("frame")},
-        {{"boundary.previous", "boundary.next"}, tr("boundary")},
-        {{"boundary.add"}, tr("add")},
-        {{"app.palette"}, tr("any command")},
-        {{"help.keys"}, tr("all keys")},
+        {{"boundary.previous", "boundary.next"}, tr("boundary"), !measuring},
+        {{"boundary.add"}, tr("add"), !measuring && !boundary},
+        {{"app.palette"}, tr("any command"), !measuring},
+        {{"help.keys"}, tr("all keys"), !measuring},
     };
     QStringList parts;
     for (const Entry& entry : entries) {
+        if (!entry.holds) continue;
         QStringList keys;
         for (const QString& id : entry.commands) {
             const Command* command = commands_->find(id);

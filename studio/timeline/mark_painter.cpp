@@ -105,7 +105,7 @@ void MarkPainter::paintActions(const Track& track, int player) {
         if (width > 44) {
             painter_.setPen(colours_.text);
             painter_.drawText(block.adjusted(5, 0, -3, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                              QString::number(index + 1));
+                              QString::number(index));
         }
     }
     for (const ActionNote& note : fighter.input.notes) {

@@ -64,6 +64,11 @@ void TimelineView::hover(const QPointF& position) {
     update();
 }
 
+/// What lies under a resting pointer may have become another.
+void TimelineView::hoverAgain() {
+    if (pointer_ && gesture_ == Gesture::None) hover(*pointer_);
+}
+
 void TimelineView::mousePressEvent(QMouseEvent* event) {
     const QPointF position = event->position();
     pressed_ = last_ = position;

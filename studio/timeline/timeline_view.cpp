@@ -28,15 +28,23 @@ TimelineView::TimelineView(Session& session, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    connect(&session_, &Session::takeChanged, this, &TimelineView::refresh);
+    connect(&session_, &Session::takeChanged, this, [this] {
+        if (dragged_) endDrag(false);
+        refresh();
+    });
     connect(&session_, &Session::fightersChanged, this, &TimelineView::refresh);
-    connect(&session_, &Session::visibleChanged, this, &TimelineView::invalidate);
+    connect(&session_, &Session::visibleChanged, this, [this] {
+        invalidate();
+        hoverAgain();
+    });
     connect(&session_, &Session::activePlayerChanged, this, &TimelineView::invalidate);
     connect(&session_, &Session::comparisonChanged, this, &TimelineView::invalidate);
     connect(&session_, &Session::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&session_.transport(), &Transport::stateChanged, this, &TimelineView::invalidate);
     connect(&session_.transport(), &Transport::moved, this, [this] {
-        if (session_.transport().isPlaying()) session_.reveal(session_.transport().playhead());
+        // What a hand holds stays under it.
+        const bool follow = session_.transport().isPlaying() && gesture_ == Gesture::None;
+        if (follow) session_.reveal(session_.transport().playhead());
         update();
     });
     refresh();
@@ -116,16 +124,45 @@ void TimelineView::layOut() {
 }
 
 void TimelineView::refresh() {
+    const BoundaryMark* held = dragged_ ? markOf(dragged_->boundary) : nullptr;
+    if (dragged_ && (held == nullptr || !held->isLive())) endDrag(false);
     tracks_.resize(static_cast<std::size_t>(session_.playerCount()));
+    bool lacking = false;
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
-        tracks_[i].setFighter(session_.fighter(static_cast<int>(i)), options_,
-                              session_.document().analysis().settings.curve);
+        lacking |= tracks_[i].setFighter(session_.fighter(static_cast<int>(i)), options_,
+                                         session_.document().analysis().settings.curve);
     }
+    if (lacking) prepareCurves();
     setMinimumHeight(120 + 64 * speedRows());
     updateGeometry();
     layOut();
     hovered_.reset();
     invalidate();
+    hoverAgain();
+}
+
+void TimelineView::prepareCurves() {
+    std::vector<CurveWish> wishes;
+    for (const Track& track : tracks_)
+        wishes.push_back(track.wish());
+    preparing_.start(
+        tr("Preparing curves"),
+        [wishes](const Progress& progress) {
+            std::vector<WishedCurves> made;
+            for (const CurveWish& wish : wishes) {
+                progress.update(double(made.size()) / double(wishes.size()));
+                made.push_back(makeCurves(wish));
+            }
+            return made;
+        },
+        [this, wishes](std::vector<WishedCurves> made) {
+            for (std::size_t i = 0; i < std::min(made.size(), tracks_.size()); ++i) {
+                // A fighter may have gone meanwhile, with nothing to be made in its place.
+                if (tracks_[i].wish() == wishes[i]) tracks_[i].setCurves(std::move(made[i]));
+            }
+            layOut();
+            invalidate();
+        });
 }
 
 void TimelineView::invalidate() {
@@ -231,6 +268,7 @@ QString TimelineView::describe(int player, double seconds) const {
         text += QStringLiteral(" · ") + bodyWeightsText(curve[static_cast<std::size_t>(frame)]);
     }
     if (const auto action = session_.actionAt(player, frame); action && !hovered_) {
+        text += tr(" · action %1").arg(session_.numberOf(*action));
         const QString note = session_.noteOf(*action);
         if (!note.isEmpty()) text += tr(" · note: %1").arg(note);
     }

@@ -35,6 +35,8 @@ public:
     /// Where an action's block is; empty where it is not visible.
     QRectF blockOf(const ActionRef& action) const;
 
+    /// Whether curves are still being made.
+    bool isPreparing() const { return preparing_.isRunning(); }
     const TimelineOptions& options() const { return options_; }
     void setOptions(const TimelineOptions& options);
     /// Opens the field for the current action's note.
@@ -66,6 +68,7 @@ private:
     void layOut();
     int speedRows() const;
     void refresh();
+    void prepareCurves();
     void invalidate();
     void paintStill(QPainter& painter);
     void paintMoving(QPainter& painter);
@@ -82,6 +85,7 @@ private:
     std::optional<ActionRef> blockAt(const QPointF& position) const;
     bool event(QEvent* event) override;
     void hover(const QPointF& position);
+    void hoverAgain();
     QString describe(int player, double seconds) const;
 
     Session& session_;
@@ -96,6 +100,7 @@ private:
     std::optional<Dragged> dragged_;
     LoopEnd loopEnd_ = LoopEnd::In;
     TimelineOptions options_;
+    JobRunner preparing_;
     NoteField* note_;
 };
 

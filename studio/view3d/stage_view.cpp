@@ -26,7 +26,10 @@ StageView::StageView(Session& session, QWidget* parent)
     scene_->caption->setAttribute(Qt::WA_TransparentForMouseEvents);
     connect(&session_, &Session::takeChanged, this, &StageView::takeChanged);
     connect(&session_, &Session::fightersChanged, this, &StageView::bodiesChanged);
-    connect(&session_, &Session::activePlayerChanged, this, &StageView::showColours);
+    connect(&session_, &Session::activePlayerChanged, this, [this] {
+        pointToOtherFighter();
+        showColours();
+    });
     connect(&session_.transport(), &Transport::moved, this, &StageView::showPose);
     connect(this, &StageView::switchesChanged, this, &StageView::showCaption);
     showCaption();
@@ -224,9 +227,14 @@ void StageView::setTools(QWidget* tools) {
 void StageView::showCaption() {
     QString text = tr("grid 1 m");
     if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
-    if (isMeasuring()) text = tr("Measuring: click two joints   ·   Esc leaves");
+    if (isMeasuring()) text = measuringHint_;
     scene_->caption->setText(text);
     placeOverlays();
+}
+
+void StageView::setMeasuringHint(const QString& hint) {
+    measuringHint_ = hint;
+    showCaption();
 }
 
 void StageView::placeOverlays() {
