@@ -107,6 +107,7 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
             counted_[i] = true;
         }
     }
+    if (static_cast<int>(answered.size() - open.size()) < settings_.start) predictions = nullptr;
     std::vector<int> batch;
     std::vector<double> toBatch(answered.size(), kFar);
     const auto take = [&](int row) {

@@ -17,6 +17,9 @@ struct QuerySettings {
     /// are farthest from all labelled ones.
     double explore = 0.2;
     bool mirrored = true;  ///< an action is as near as its mirror image
+    /// Until so many actions are labelled, those are asked that stand for most: margins of a machine
+    /// that has seen a handful lead astray.
+    int start = 20;
 };
 
 /// Orders questions over the rows of one feature matrix. Deterministic.

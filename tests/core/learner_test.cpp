@@ -186,6 +186,13 @@ TEST(Learner, TheSearchIsRepeatableAndCanBeCancelled) {
     EXPECT_EQ(set.searchParameters(), found);
     EXPECT_GE(made.accuracy(set.predict(found, false), 80) + 0.05,
               made.accuracy(set.predict(defaultParameters(kickboxing()), false), 80));
+    // What is found by chance among noise moves nothing.
+    MadeActions noise(120, 1.0f, 5, {"others"});
+    for (std::size_t i = 0; i < noise.truth.size(); i += 3)
+        noise.truth[i] = parseLabel(kickboxing(), i % 2 ? "left_punch:fwd" : "jump:up");
+    EXPECT_EQ(
+        TrainingSet(kickboxing(), noise.features, noise.examples(0, 100), {}).searchParameters(),
+        defaultParameters(kickboxing()));
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(set.searchParameters({{}, stop.get_token()}), Cancelled);
@@ -239,7 +246,7 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
     Predictions predictions{7, std::vector<Prediction>(7 * 40)};
     for (int i = 0; i < 40; ++i)
         predictions.at(i, 0) = {0, i < 20 ? 0.01 : 0.02, 0, false};
-    QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true, 0});
     const auto batch = queue.next(std::vector<bool>(40, false), &predictions);
     ASSERT_EQ(batch.size(), 10u);
     EXPECT_EQ(std::set<int>(batch.begin(), batch.end()).size(), 10u);
@@ -250,9 +257,22 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
     EXPECT_EQ(queue.next(std::vector<bool>(40, false), &predictions).front(), 33);
 }
 
+TEST(Queries, MarginsCountOnceEnoughIsLabelled) {
+    const MadeActions made(80);
+    Predictions predictions{7, std::vector<Prediction>(7 * 80)};
+    for (int i = 0; i < 80; ++i)
+        predictions.at(i, 0) = {0, i == 77 ? 0.01 : 3.0, 0, false};
+    QueryQueue queue(made.features, {5, 0.2, true, 20});
+    std::vector<bool> answered(80, false);
+    const auto before = queue.next(answered, &predictions);
+    EXPECT_EQ(before, queue.next(answered)) << "what stands for most, whatever the margins";
+    std::fill(answered.begin(), answered.begin() + 20, true);
+    EXPECT_EQ(queue.next(answered, &predictions).front(), 77);
+}
+
 TEST(Queries, NeverAskTwiceAndEndWhenAllIsAnswered) {
     const MadeActions made(23);
-    QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true, 0});
     std::vector<bool> answered(23, false);
     for (const std::size_t size : {10u, 10u, 3u, 0u}) {
         const auto batch = queue.next(answered);
@@ -305,15 +325,16 @@ TEST(Scores, WorkedOutOnPaper) {
 
 TEST(Scores, CohensKappa) {
     // 20 actions, both yes 10, both no 5, first only 3, second only 2.
-    std::vector<int> first, second;
-    const auto add = [&](int a, int b, int times) {
-        first.insert(first.end(), static_cast<std::size_t>(times), a);
-        second.insert(second.end(), static_cast<std::size_t>(times), b);
-    };
-    add(1, 1, 10), add(0, 0, 5), add(1, 0, 3), add(0, 1, 2), add(kUnknown, 1, 4);
+    const JudgementTable table = {{5, 2}, {3, 10}};
     const double chance = 13.0 / 20 * 12 / 20 + 7.0 / 20 * 8 / 20;
-    EXPECT_NEAR(*cohensKappa(first, second), (0.75 - chance) / (1 - chance), 1e-12);
-    EXPECT_EQ(cohensKappa({}, {}), std::nullopt);
+    EXPECT_NEAR(*cohensKappa({{table}}), (0.75 - chance) / (1 - chance), 1e-12);
+    EXPECT_EQ(cohensKappa({}), std::nullopt);
+    EXPECT_EQ(cohensKappa({{JudgementTable{{0, 0}, {0, 0}}}}), std::nullopt);
+    EXPECT_EQ(cohensKappa({{JudgementTable{{7, 0}, {0, 0}}}}), 1.0) << "the same single thing";
+    // A second aspect of 10 actions: 6 and 3 the same, 1 differs; by chance 0.7 * 0.6 + 0.3 * 0.4.
+    const JudgementTable second = {{6, 1}, {0, 3}};
+    const double byChance = 20 * chance + 10 * (0.7 * 0.6 + 0.3 * 0.4);
+    EXPECT_NEAR(*cohensKappa({{table, second}}), (15 + 9 - byChance) / (30 - byChance), 1e-12);
 }
 
 }  // namespace
