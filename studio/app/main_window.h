@@ -21,6 +21,10 @@ class CommandPalette;
 class CommandTable;
 class DocumentPanel;
 class FileActions;
+class LabelLanes;
+class LabelPanel;
+class LabelReview;
+class LabelSession;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
@@ -53,6 +57,8 @@ public:
     Workspaces& workspaces() { return *workspaces_; }
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
+    LabelSession& labels() { return *labels_; }
+    LabelReview& labelReview() { return *labelReview_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
 
@@ -81,7 +87,14 @@ private:
     void addEditCommands();
     void addTakeCommands();
     void addWorkspaces();
+    /// Of the menu Segment.
+    void addBoundaryCommand(const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            std::function<void()> run, bool newGroup = false,
+                            const QList<QWidget*>& scopes = {});
+    void addBoundaryCommands();
     void addSegmentCommands(SegmentPanel& panel);
+    void addLabelCommands(LabelPanel& panel);
+    void showLabelKeys();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -118,6 +131,9 @@ private:
     DocumentPanel* documentPanel_ = nullptr;
     QStackedWidget* rightPanel_ = nullptr;
     Workspaces* workspaces_ = nullptr;
+    LabelSession* labels_ = nullptr;
+    LabelReview* labelReview_ = nullptr;
+    LabelLanes* labelLanes_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;

@@ -17,7 +17,12 @@
 #include "studio/app/main_window.h"
 #include "studio/app/system_theme.h"
 #include "studio/app/workspaces.h"
+#include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/label/label_lanes.h"
+#include "studio/workspaces/label/label_panel.h"
+#include "studio/workspaces/label/label_review.h"
+#include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
@@ -27,6 +32,21 @@ void MainWindow::addWorkspaces() {
     workspaces_->add({"segment", tr("Segment"), "segment",
                       tr("Correct the boundaries that cut the bout into actions."), segment,
                       [this, segment] { addSegmentCommands(*segment); }});
+    commands_->addFor(QStringLiteral("segment label"), [this] { addBoundaryCommands(); });
+    labels_ = new LabelSession(session_, this);
+    labelReview_ = new LabelReview(*labels_, this);
+    labelLanes_ = new LabelLanes(*labels_, *labelReview_, this);
+    auto* label = new LabelPanel(*labelReview_, *commands_, rightPanel_);
+    workspaces_->add({"label", tr("Label"), "label",
+                      tr("Say what a few actions are; the machine says it of the rest."), label,
+                      [this, label] { addLabelCommands(*label); }});
+    connect(workspaces_, &Workspaces::changed, this, [this] {
+        const bool shown = workspaces_->current() == QLatin1String("label");
+        // Once it has been shown it goes on learning.
+        if (shown) labels_->setActive(true);
+        timeline_->setLanes(shown ? labelLanes_ : nullptr);
+        if (!spaceShared_) shareSpace();
+    });
     workspaces_->addSwitchCommands(tr("&View"));
 }
 
@@ -136,6 +156,11 @@ QString MainWindow::keysHint() const {
         {{"review.reject"}, tr("remove"), boundary && !measuring},
         {{"action.previous", "action.next"}, tr("action"), action && !measuring},
         {{"action.note"}, tr("note"), action && !measuring},
+        {{"label.next"}, tr("next question"), !measuring},
+        {{"label.accept"}, tr("accept"), !measuring},
+        {{"label.reject"}, tr("second best"), !measuring},
+        {{"label.laneUp", "label.laneDown"}, tr("lane"), !measuring},
+        {{"label.class1"}, tr("… its classes"), !measuring},
         {{"transport.back", "transport.on"}, tr("frame")},
         {{"boundary.previous", "boundary.next"}, tr("boundary"), !measuring},
         {{"boundary.add"}, tr("add"), !measuring && !boundary},
