@@ -21,6 +21,8 @@ class CommandPalette;
 class CommandTable;
 class DocumentPanel;
 class FileActions;
+class GraphCentre;
+class GraphSession;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
@@ -52,6 +54,8 @@ public:
     Workspaces& workspaces() { return *workspaces_; }
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
+    GraphSession& graph() { return *graph_; }
+    GraphCentre& graphCentre() { return *graphCentre_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
 
@@ -81,6 +85,7 @@ private:
     void addTakeCommands();
     void addWorkspaces();
     void addSegmentCommands(SegmentPanel& panel);
+    void addGraphWorkspace();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -113,9 +118,13 @@ private:
     WelcomePage* welcome_ = nullptr;
     QSplitter* rows_ = nullptr;
     QSplitter* columns_ = nullptr;
+    QSplitter* content_ = nullptr;  ///< the 3D view and what a workspace shows beside it
     DocumentPanel* documentPanel_ = nullptr;
     QStackedWidget* rightPanel_ = nullptr;
+    QStackedWidget* centres_ = nullptr;
     Workspaces* workspaces_ = nullptr;
+    GraphSession* graph_ = nullptr;
+    GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;
