@@ -11,13 +11,6 @@
 namespace kumite {
 namespace {
 
-/// Takes the heading off: x' = cos(yaw) x − sin(yaw) z, z' = sin(yaw) x + cos(yaw) z.
-Eigen::Vector3d withoutYaw(const Eigen::Vector3d& v, double yaw) {
-    const double c = std::cos(yaw);
-    const double s = std::sin(yaw);
-    return {c * v.x() - s * v.z(), v.y(), s * v.x() + c * v.z()};
-}
-
 /// Whose place a joint takes where the skeleton has none.
 Role parentOf(Role role) {
     switch (role) {
@@ -79,6 +72,28 @@ int mirrorOf(std::size_t joint) {
 
 }  // namespace
 
+Eigen::Vector3d withoutYaw(const Eigen::Vector3d& v, double yaw) {
+    const double c = std::cos(yaw);
+    const double s = std::sin(yaw);
+    return {c * v.x() - s * v.z(), v.y(), s * v.x() + c * v.z()};
+}
+
+std::array<int, kFeatureRoles.size()> featureJoints(const Skeleton& skeleton, const RoleMap& roles,
+                                                    Findings* findings) {
+    if (!roles.has(Role::Pelvis)) {
+        throw Error("No joint has the role pelvis: actions cannot be compared.");
+    }
+    std::string missing;
+    std::array<int, kFeatureRoles.size()> joints{};
+    for (std::size_t i = 0; i < joints.size(); ++i)
+        joints[i] = jointFor(kFeatureRoles[i], skeleton, roles, missing);
+    if (!missing.empty() && findings) {
+        findings->push_back(
+            warning("For labelling, these joints take their parents' place: " + missing + "."));
+    }
+    return joints;
+}
+
 std::vector<double> sampleAction(const PoseStream& stream, int begin, int end, int poses) {
     std::vector<double> numbers;
     numbers.reserve(static_cast<std::size_t>(poses * (3 + 3 * stream.jointCount)));
@@ -116,21 +131,13 @@ std::vector<double> sampleAction(const PoseStream& stream, int begin, int end, i
 FeatureMatrix actionFeatures(const Skeleton& skeleton, const RoleMap& roles,
                              const JointPositions& positions, std::span<const double> yaw,
                              std::span<const Action> actions, Findings* findings) {
-    const auto pelvis = roles[Role::Pelvis];
-    if (!pelvis) throw Error("No joint has the role pelvis: actions cannot be compared.");
-    std::string missing;
-    std::vector<int> joints;
-    for (const Role role : kFeatureRoles)
-        joints.push_back(jointFor(role, skeleton, roles, missing));
-    if (!missing.empty() && findings) {
-        findings->push_back(
-            warning("For labelling, these joints take their parents' place: " + missing + "."));
-    }
+    const auto joints = featureJoints(skeleton, roles, findings);
+    const int pelvis = *roles[Role::Pelvis];
     PoseStream stream;
     stream.jointCount = static_cast<int>(joints.size());
     stream.yaw = yaw;
     stream.root = [&](int frame) -> Eigen::Vector3d {
-        return positions.at(frame, *pelvis).cast<double>();
+        return positions.at(frame, pelvis).cast<double>();
     };
     stream.joint = [&](int frame, int joint) -> Eigen::Vector3d {
         return positions.at(frame, joints[static_cast<std::size_t>(joint)]).cast<double>();

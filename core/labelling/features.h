@@ -26,6 +26,14 @@ inline constexpr int kPosesPerAction = 10;
 inline constexpr int kNumbersPerPose = 3 + 3 * static_cast<int>(kFeatureRoles.size());
 inline constexpr int kFeatureCount = kPosesPerAction * kNumbersPerPose;  // 540
 
+/// The joint of each feature role. A toe that is missing is the ankle's End Site; another missing
+/// joint takes its parent's place and is reported in `findings`. No pelvis: Error.
+std::array<int, kFeatureRoles.size()> featureJoints(const Skeleton& skeleton, const RoleMap& roles,
+                                                    Findings* findings = nullptr);
+
+/// A vector with a heading taken off: what the body that has it sees, x to its left, z ahead.
+Eigen::Vector3d withoutYaw(const Eigen::Vector3d& v, double yaw);
+
 /// A stream of poses to sample: the root's and the joints' positions at whole frames (metres, y
 /// up) and the heading per frame (radians, unwrapped).
 struct PoseStream {
@@ -46,9 +54,7 @@ std::vector<double> sampleAction(const PoseStream& stream, int begin, int end,
 /// and which way it faces.
 using FeatureMatrix = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Feature rows of a fighter's actions. `yaw` as headings() gives it. A toe that is missing is the
-/// ankle's End Site; another missing joint takes its parent's place and is reported in `findings`.
-/// No pelvis: Error.
+/// Feature rows of a fighter's actions. `yaw` as headings() gives it; joints as featureJoints.
 FeatureMatrix actionFeatures(const Skeleton& skeleton, const RoleMap& roles,
                              const JointPositions& positions, std::span<const double> yaw,
                              std::span<const Action> actions, Findings* findings = nullptr);

@@ -125,6 +125,36 @@ void applyReact(const Vocabulary& vocabulary, const RuleSettings& settings,
     }
 }
 
+/// Fills the rules' aspects that labels leave open; nothing is computed where none does.
+void fillByRules(const Project& project, const Analysis& analysis, const FighterLabels& said,
+                 const FighterLabels* opponent, std::vector<ActionLabel>& filled) {
+    const Vocabulary& vocabulary = *project.labelling.vocabulary;
+    const auto open = [&](const ActionLabel& label, int aspect) {
+        return vocabulary[aspect].classifier != Classifier::Msvm && label.anyKnown() &&
+               !label.aspects[static_cast<std::size_t>(aspect)].known();
+    };
+    const bool needed = std::any_of(said.labels.begin(), said.labels.end(), [&](const auto& label) {
+        for (int a = 0; a < vocabulary.size(); ++a) {
+            if (open(label, a)) return true;
+        }
+        return false;
+    });
+    if (!needed) return;
+    std::vector<ActionLabel> byRules = said.labels;
+    std::vector<RuleReasons> reasons(byRules.size());
+    const FighterAnalysis& values = analysis.at(said.fighter);
+    applyMove(vocabulary, values, byRules, reasons);
+    applyReact(vocabulary, project.labelling.rules, values,
+               opponent ? &analysis.at(opponent->fighter) : nullptr,
+               opponent ? &opponent->labels : nullptr, byRules, reasons);
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+        for (int a = 0; a < vocabulary.size(); ++a) {
+            const auto slot = static_cast<std::size_t>(a);
+            if (open(said.labels[i], a)) filled[i].aspects[slot] = byRules[i].aspects[slot];
+        }
+    }
+}
+
 }  // namespace
 
 ActionTable actionTable(const Project& project, const Analysis& analysis,
@@ -235,6 +265,27 @@ Proposals propose(const Project& project, const Analysis& analysis, const Action
                    opponent ? &opponent->labels : nullptr, fighter.labels, proposals.reasons[i]);
     }
     return proposals;
+}
+
+std::vector<FighterLabels> effectiveLabels(const Project& project, const Analysis& analysis) {
+    const Vocabulary& vocabulary = *project.labelling.vocabulary;
+    std::vector<FighterLabels> all;
+    for (std::size_t t = 0; t < project.takes.size(); ++t) {
+        const std::size_t first = all.size();
+        for (std::size_t p = 0; p < project.takes[t].fighters.size(); ++p) {
+            const FighterAddress address{static_cast<int>(t), static_cast<int>(p)};
+            if (!analysis.at(address).available()) continue;
+            all.push_back({address, actionLabels(fighterAt(project, address), analysis.at(address),
+                                                 vocabulary.size())});
+        }
+        const std::vector<FighterLabels> said(all.begin() + static_cast<std::ptrdiff_t>(first),
+                                              all.end());
+        for (std::size_t i = 0; i < said.size(); ++i) {
+            const FighterLabels* opponent = said.size() == 2 ? &said[1 - i] : nullptr;
+            fillByRules(project, analysis, said[i], opponent, all[first + i].labels);
+        }
+    }
+    return all;
 }
 
 AutoLabels labelAutomatically(const Project& project, const Analysis& analysis,

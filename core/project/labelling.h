@@ -46,6 +46,11 @@ struct Proposals {
 Proposals propose(const Project& project, const Analysis& analysis, const ActionTable& table,
                   const Predictions& predictions);
 
+/// The labels that graphs and models are made of: what a hand said or somebody accepted, per
+/// fighter that has actions. Where such a label leaves *move* or *react* open, the rules fill it
+/// in; actions of which nothing is known stay unknown as a whole.
+std::vector<FighterLabels> effectiveLabels(const Project& project, const Analysis& analysis);
+
 /// Searches the parameters unless the project's record was made from the same examples and
 /// settings, trains, predicts with calibrated confidences and proposes.
 struct AutoLabels {

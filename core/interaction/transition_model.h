@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/interaction/geometry_term.h"
+#include "core/interaction/label_term.h"
+
+namespace kumite {
+
+/// What a mover does next, learnt from the coupled graph (method A8): a value, safe to read from
+/// any thread.
+struct TransitionModel {
+    std::shared_ptr<const CoupledGraph> graph;
+    int mover = 0;  ///< player index
+    LabelTerm labels;
+    TransitionCounts counts;
+    GeometryTerm geometry;    ///< untrained where the mover has no transition
+    Eigen::MatrixXd numbers;  ///< a row (n¹ᵢ, n²ⱼ, n¹ᵢ₊₁) per transition of the mover
+    /// Of each row's n¹ᵢ₊₁, what it adds to the turned numbers of its label's Gaussian.
+    Eigen::MatrixXd nextTurned;
+};
+TransitionModel learnTransitionModel(std::shared_ptr<const CoupledGraph> graph, int mover,
+                                     LabelEstimator estimator, const GeometrySettings& settings,
+                                     Eigen::MatrixXd numbers, const Progress& progress = {});
+
+/// One candidate for the mover's next label.
+struct NextLabel {
+    int node = 0;           ///< of the mover
+    double label = 0;       ///< label term: a probability
+    double geometry = 0;    ///< geometry term of the best example, made to sum to 1 over the nodes
+    double product = 0;     ///< both together, a probability; the label term alone without a moment
+    double logDensity = 0;  ///< of the best example, of the numbers as given
+    /// The transition (of the mover) whose next action fits the moment best (equation 12).
+    std::optional<int> bestTransition;
+    int examples = 0;          ///< transitions with the same own, opponent's and next label
+    int ownExamples = 0;       ///< with the same own and next label
+    int opponentExamples = 0;  ///< with the same opponent's and next label
+    int nextExamples = 0;      ///< with the same next label
+};
+
+/// What-if: all of the mover's nodes as the next one, the likeliest first (ties: in the order of
+/// nodes). kAnyNode leaves open what somebody does. `moment`: n¹ᵢ and n²ⱼ as they are now (see
+/// transitionNumbers), which brings the geometry term in; a node without any example then has
+/// nothing that could follow, and a product of 0.
+std::vector<NextLabel> nextLabels(const TransitionModel& model, int own, int opponent,
+                                  const Eigen::VectorXd* moment = nullptr);
+
+/// How unexpected an observed transition is, in nats, by a model that had been learnt without it;
+/// higher is stranger.
+struct Surprise {
+    double label = 0;     ///< −log of the label term
+    double geometry = 0;  ///< −log of the geometry term, minus its mean over the transitions
+    double total = 0;     ///< the sum
+};
+/// One per transition of the model's mover. The label term is learnt anew without each transition,
+/// exactly; of the geometry term, the mean and the spread of the transition's label are (see
+/// GeometryTerm::logDensityWithout). As trained, the only example of a label would seem as usual
+/// as can be.
+std::vector<Surprise> surprises(const TransitionModel& model);
+
+/// −log of an even guess among the mover's labels: where surprise begins to mean that the model is
+/// worse than knowing nothing.
+double uniformSurprise(const TransitionModel& model);
+
+}  // namespace kumite
