@@ -37,8 +37,8 @@ bool runLine(MainWindow& window, const QStringList& words) {
 }  // namespace
 
 bool runScript(MainWindow& window, const QStringList& lines) {
-    if (!lines.isEmpty()) waitWhileBusy(window);
     for (const QString& line : lines) {
+        waitWhileBusy(window);
         const QStringList words = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
         if (words.isEmpty() || !runLine(window, words)) {
             std::fprintf(stderr, "kumite-studio: cannot run \"%s\".\n", qPrintable(line));

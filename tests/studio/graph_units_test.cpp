@@ -106,6 +106,15 @@ TEST(ColourScale, LinearAndLogarithmicRunFromNothingToFull) {
     EXPECT_GT(log.position(0.01), 3 * probabilityScale(c, 0, false).position(0.01));
 }
 
+TEST(ColourScale, EndsWhereTheValuesDo) {
+    EXPECT_DOUBLE_EQ(scaleTop(0), 0.01);
+    EXPECT_DOUBLE_EQ(scaleTop(0.071), 0.1);
+    EXPECT_DOUBLE_EQ(scaleTop(0.51), 1);
+    const ColourScale scale = probabilityScale(colours(true), 0, false, 0.2);
+    EXPECT_EQ(scale.colourOf(0.2), scale.full);
+    EXPECT_EQ(scale.ticks().back().text, QString("0.2"));
+}
+
 TEST(ColourScale, DifferencesHaveTwoSidesAndNothingInTheMiddle) {
     const ColourScale scale = differenceScale(colours(false), 0.4);
     EXPECT_EQ(scale.colourOf(0), scale.nothing);

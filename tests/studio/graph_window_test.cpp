@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QFile>
+#include <QFileInfo>
 #include <QImage>
 #include <QLabel>
 #include <QListView>
@@ -387,6 +388,10 @@ TEST_F(GraphTest, PicturesAreWritten) {
         while (!xml.atEnd())
             xml.readNext();
         EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    }
+    for (const char* name : {"graph.csv", "graph.json", "graph.graphml"}) {
+        EXPECT_EQ(exportGraph(centre(), graph(), file(name)), QString());
+        EXPECT_GT(QFileInfo(file(name)).size(), 500) << name;
     }
     EXPECT_FALSE(exportGraph(centre(), graph(), file("no/such/folder.png")).isEmpty());
     EXPECT_FALSE(exportGraph(centre(), graph(), file("graph.doc")).isEmpty());

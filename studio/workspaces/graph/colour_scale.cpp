@@ -55,8 +55,16 @@ std::vector<ColourScale::Tick> ColourScale::ticks() const {
     return ticks;
 }
 
-ColourScale probabilityScale(const Colours& colours, int player, bool logarithmic) {
+double scaleTop(double largest) {
+    for (const double top : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5}) {
+        if (largest <= top) return top;
+    }
+    return 1;
+}
+
+ColourScale probabilityScale(const Colours& colours, int player, bool logarithmic, double top) {
     ColourScale scale;
+    scale.top = top;
     scale.kind = logarithmic ? ColourScale::Kind::Logarithmic : ColourScale::Kind::Linear;
     scale.nothing = mixed(colours.ground, colours.line, colours.dark ? 0.25 : 0.35);
     scale.half = colours.fighters[player];

@@ -35,8 +35,11 @@ struct ColourScale {
     std::vector<Tick> ticks() const;
 };
 
-/// The scale of a fighter's probabilities on the ground of a theme.
-ColourScale probabilityScale(const Colours& colours, int player, bool logarithmic);
+/// The scale of a fighter's probabilities up to `top` on the ground of a theme.
+ColourScale probabilityScale(const Colours& colours, int player, bool logarithmic, double top = 1);
+/// The end of a scale that values up to `largest` use well: 1, 2 or 5 times a power of ten, at most
+/// 1.
+double scaleTop(double largest);
 /// The scale of differences; told apart without red and green.
 ColourScale differenceScale(const Colours& colours, double top);
 

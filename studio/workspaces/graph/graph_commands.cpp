@@ -29,7 +29,7 @@ void askForExport(GraphCentre& centre, GraphSession& graph) {
     const QString path = QFileDialog::getSaveFileName(
         centre.window(), text("Export transitions"),
         settings.value(key).toString() + QLatin1Char('/') + name + QStringLiteral("-graph.csv"),
-        text("Matrix as a table (*.csv);;Graph and model (*.json);;Graph (*.graphml);;Picture "
+        text("Edges as a table (*.csv);;Graph and model (*.json);;Graph (*.graphml);;Picture "
              "(*.png);;Picture of lines (*.svg)"));
     if (path.isEmpty()) return;
     settings.setValue(key, QFileInfo(path).absolutePath());

@@ -6,6 +6,9 @@
 #include <QPainter>
 #include <QSvgGenerator>
 
+#include <exception>
+
+#include "core/project/graph_export.h"
 #include "studio/view3d/graph_view.h"
 #include "studio/workspaces/graph/graph_centre.h"
 #include "studio/workspaces/graph/matrix_page.h"
@@ -50,13 +53,21 @@ bool writeSvg(GraphCentre& centre, const QString& path) {
 
 }  // namespace
 
-QString exportGraph(GraphCentre& centre, const GraphSession&, const QString& path) {
+QString exportGraph(GraphCentre& centre, const GraphSession& graph, const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     bool written = false;
     if (suffix == QLatin1String("png")) {
         written = writePng(centre, path);
     } else if (suffix == QLatin1String("svg")) {
         written = writeSvg(centre, path);
+    } else if (suffix == QLatin1String("csv") || suffix == QLatin1String("json") ||
+               suffix == QLatin1String("graphml")) {
+        try {
+            writeGraph(graph.values()->interaction, path.toStdString());
+            written = true;
+        } catch (const std::exception& error) {
+            return QString::fromUtf8(error.what());
+        }
     } else {
         return text("%1: the name must end in .csv, .json, .graphml, .png or .svg.").arg(path);
     }

@@ -31,6 +31,7 @@ GraphPanel::GraphPanel(GraphSession& graph, QWidget* parent)
     boxes_->setStyleSheet(QStringLiteral("QSplitter::handle { background: transparent; }"));
     boxes_->setStretchFactor(0, 3);
     boxes_->setStretchFactor(1, 2);
+    boxes_->setSizes({300, 200});
     layout->addWidget(boxes_, 1);
     setMinimumWidth(200);
     connect(&graph_, &GraphSession::valuesChanged, this, &GraphPanel::refresh);

@@ -243,15 +243,18 @@ void MatrixPage::refresh() {
     } else {
         const MatrixOrder order = orderOf(first, sort);
         const bool log = logarithmic_->isChecked();
+        // Both on one scale, or they could not be compared.
+        const double top = scaleTop(std::max(sides_[0].table.probabilities.maxCoeff(),
+                                             sides_[1].table.probabilities.maxCoeff()));
         const auto captionOf = [&](int number) {
             return two ? tr("%1: %2").arg(sides_[static_cast<std::size_t>(number)].name, caption)
                        : caption;
         };
         if (two) {
-            views_[1]->show(tableOf(1), order, probabilityScale(c, sides_[1].mover, log),
+            views_[1]->show(tableOf(1), order, probabilityScale(c, sides_[1].mover, log, top),
                             captionOf(1));
         }
-        views_[0]->show(std::move(first), order, probabilityScale(c, sides_[0].mover, log),
+        views_[0]->show(std::move(first), order, probabilityScale(c, sides_[0].mover, log, top),
                         captionOf(0));
     }
     showSelection();

@@ -46,6 +46,17 @@ MatrixPlace MatrixOrder::shown(const MatrixPlace& inTable) const {
 MatrixOrder orderOf(const MatrixTable& table, MatrixSort sort) {
     if (sort != MatrixSort::Similarity) {
         const bool byName = sort == MatrixSort::Name;
+        const bool sameLabels = std::equal(
+            table.rows.begin(), table.rows.end(), table.columns.begin(), table.columns.end(),
+            [](const auto& row, const auto& column) { return row.name == column.name; });
+        if (sameLabels) {
+            // The same order for both, so that staying with a label is the diagonal.
+            std::vector<MatrixTable::Line> both = table.rows;
+            for (std::size_t i = 0; i < both.size(); ++i)
+                both[i].count += table.columns[i].count;
+            const std::vector<int> order = ordered(both, byName);
+            return {order, order, {}};
+        }
         return {ordered(table.rows, byName), ordered(table.columns, byName), {}};
     }
     const Eigen::MatrixXd sizes = table.values.cwiseAbs();

@@ -16,6 +16,17 @@ namespace {
 constexpr double kRow = 24;
 constexpr double kBar = 3;
 constexpr double kReach = 5;  // pixels
+
+/// The surprise that all but one in thirty stay below: a single odd pose must not flatten the rest.
+double usualTop(const std::vector<Surprise>& all) {
+    std::vector<double> totals;
+    for (const Surprise& each : all)
+        totals.push_back(each.total);
+    if (totals.empty()) return 0;
+    const auto rank = totals.begin() + static_cast<std::ptrdiff_t>(totals.size() * 29 / 30);
+    std::nth_element(totals.begin(), rank, totals.end());
+    return *rank;
+}
 }  // namespace
 
 SurpriseStrip::SurpriseStrip(GraphSession& graph, TimelineView& timeline, QWidget* parent)
@@ -52,8 +63,8 @@ void SurpriseStrip::takeValues() {
     for (const int mover : {0, 1}) {
         if (!graph_.hasGraph()) break;
         top_ = std::max(top_, 1.15 * uniformSurprise(graph_.model(mover)));
-        for (const Surprise& each : graph_.values()->surprises[static_cast<std::size_t>(mover)])
-            top_ = std::max(top_, each.total);
+        top_ =
+            std::max(top_, usualTop(graph_.values()->surprises[static_cast<std::size_t>(mover)]));
     }
     setVisible(graph_.isActive() && graph_.hasGraph());
     invalidate();
@@ -134,6 +145,10 @@ void SurpriseStrip::paintStill(QPainter& painter) const {
             QColor colour = above ? c.fighterText[mover] : mixed(c.ground, c.fighters[mover], 0.6);
             if (ref == graph_.current()) colour = c.accent;
             painter.fillRect(bar, colour);
+            // Beyond the axis: it goes on.
+            if (surpriseOf(ref) > top_) {
+                painter.fillRect(QRectF(bar.left() - 1, row.top() - 2, kBar + 2, 2), colour);
+            }
         }
         painter.restore();
     }

@@ -19,7 +19,7 @@ WhatIfBox::WhatIfBox(GraphSession& graph, QWidget* parent)
     : QWidget(parent),
       graph_(graph),
       model_(new WhatIfModel(graph, this)),
-      follow_(new QCheckBox(tr("at the playhead"), this)),
+      follow_(new QCheckBox(tr("at playhead"), this)),
       own_(new QComboBox(this)),
       opponent_(new QComboBox(this)),
       title_(new QLabel(this)),
@@ -96,7 +96,8 @@ void WhatIfBox::setFollowing(bool following) {
 
 void WhatIfBox::fillLabels() {
     const int mover = graph_.mover();
-    title_->setText(tr("What next, %1?").arg(fighterText(mover)));
+    title_->setText(tr("What next?"));
+    title_->setToolTip(tr("What %1 may do next, the likeliest first").arg(fighterText(mover)));
     filling_ = true;
     for (QComboBox* box : {own_, opponent_})
         box->clear();

@@ -98,7 +98,7 @@ void WhatIfDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     font.setBold(false);
     font.setPointSizeF(std::max(7.5, font.pointSizeF() - 1.0));
     painter->setFont(font);
-    const double count = 38;
+    const double count = 30;
     const int terms = model_.hasGeometry() ? 2 : 1;
     const double width = (area.width() - count) / terms;
     const auto bar = [&](int place, const QString& text, double share) {
@@ -108,7 +108,7 @@ void WhatIfDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
         part.setWidth(std::max(1.0, box.width() * std::clamp(share, 0.0, 1.0)));
         painter->fillRect(part, mixed(c.panel, colour, c.dark ? 0.6 : 0.45));
         painter->setPen(c.text);
-        painter->drawText(box.adjusted(4, 0, -2, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
+        painter->drawText(box.adjusted(3, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
     };
     bar(0, tr("label %1").arg(shortNumber(row.label)), row.label);
     if (terms == 2) bar(1, tr("geom. %1").arg(shortNumber(row.geometry)), row.geometry);
