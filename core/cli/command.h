@@ -38,6 +38,7 @@ using Action = std::function<void(const Streams&)>;
 void addDemo(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
 void addJoints(CLI::App& app, Action& action);
+void addModel(CLI::App& app, Action& action);
 void addNew(CLI::App& app, Action& action);
 void addForce(CLI::App& app, Action& action);
 void addSegment(CLI::App& app, Action& action);
@@ -47,6 +48,7 @@ void addLabel(CLI::App& app, Action& action);
 void addLabels(CLI::App& app, Action& action);
 void addRelink(CLI::App& app, Action& action);
 void addVersions(CLI::App& app, Action& action);
+void addWhy(CLI::App& app, Action& action);
 
 /// A project with all that follows from it; findings are printed.
 struct OpenProject {

@@ -34,6 +34,8 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addExport(app, action);
     addLabel(app, action);
     addLabels(app, action);
+    addModel(app, action);
+    addWhy(app, action);
     addRelink(app, action);
     addVersions(app, action);
 
