@@ -33,6 +33,7 @@
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/graph/graph_session.h"
 #include "studio/workspaces/label/label_session.h"
 
 namespace kumite::studio {
@@ -107,11 +108,17 @@ void MainWindow::layOut() {
     rows_ = new QSplitter(Qt::Vertical, pages_);
     columns_ = new QSplitter(Qt::Horizontal, rows_);
     documentPanel_ = new DocumentPanel(session_, columns_);
-    stage_ = new StageView(session_, columns_);
+    content_ = new QSplitter(Qt::Horizontal, columns_);
+    stage_ = new StageView(session_, content_);
+    centres_ = new QStackedWidget(content_);
+    content_->addWidget(stage_);
+    content_->addWidget(centres_);
+    content_->setStretchFactor(0, 2);
+    content_->setStretchFactor(1, 3);
     rightPanel_ = new QStackedWidget(columns_);
-    workspaces_ = new Workspaces(*commands_, rightPanel_, this);
+    workspaces_ = new Workspaces(*commands_, rightPanel_, centres_, this);
     columns_->addWidget(documentPanel_);
-    columns_->addWidget(stage_);
+    columns_->addWidget(content_);
     columns_->addWidget(rightPanel_);
     timelineBox_ = new QWidget(rows_);
     auto* box = new QVBoxLayout(timelineBox_);
@@ -121,7 +128,7 @@ void MainWindow::layOut() {
     box->addWidget(timeline_, 1);
     rows_->addWidget(columns_);
     rows_->addWidget(timelineBox_);
-    for (QSplitter* splitter : {rows_, columns_}) {
+    for (QSplitter* splitter : {rows_, columns_, content_}) {
         splitter->setHandleWidth(1);
         splitter->setChildrenCollapsible(false);
     }
@@ -198,7 +205,7 @@ void MainWindow::listen() {
 
 bool MainWindow::isBusy() const {
     return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
-           (labels_->isActive() && labels_->isLearning());
+           (labels_->isActive() && labels_->isLearning()) || graph_->isLearning();
 }
 
 void MainWindow::shareSpace() {
@@ -210,7 +217,9 @@ void MainWindow::shareSpace() {
     rows_->setSizes({height - timeline - 1, timeline});
     const int left = width() < 1600 ? 136 : 176;
     const int right = width() < 1600 ? 224 : 256;
-    columns_->setSizes({left, width() - left - right - 2, right});
+    const int middle = width() - left - right - 2;
+    columns_->setSizes({left, middle, right});
+    content_->setSizes({2 * middle / 5, middle - 2 * middle / 5});
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

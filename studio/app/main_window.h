@@ -21,6 +21,8 @@ class CommandPalette;
 class CommandTable;
 class DocumentPanel;
 class FileActions;
+class GraphCentre;
+class GraphSession;
 class LabelLanes;
 class LabelPanel;
 class LabelReview;
@@ -57,6 +59,8 @@ public:
     Workspaces& workspaces() { return *workspaces_; }
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
+    GraphSession& graph() { return *graph_; }
+    GraphCentre& graphCentre() { return *graphCentre_; }
     LabelSession& labels() { return *labels_; }
     LabelReview& labelReview() { return *labelReview_; }
     StageView& stage() { return *stage_; }
@@ -95,6 +99,7 @@ private:
     void addSegmentCommands(SegmentPanel& panel);
     void addLabelCommands(LabelPanel& panel);
     void showLabelKeys();
+    void addGraphWorkspace();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -128,12 +133,16 @@ private:
     WelcomePage* welcome_ = nullptr;
     QSplitter* rows_ = nullptr;
     QSplitter* columns_ = nullptr;
+    QSplitter* content_ = nullptr;  ///< the 3D view and what a workspace shows beside it
     DocumentPanel* documentPanel_ = nullptr;
     QStackedWidget* rightPanel_ = nullptr;
+    QStackedWidget* centres_ = nullptr;
     Workspaces* workspaces_ = nullptr;
     LabelSession* labels_ = nullptr;
     LabelReview* labelReview_ = nullptr;
     LabelLanes* labelLanes_ = nullptr;
+    GraphSession* graph_ = nullptr;
+    GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;

@@ -3,22 +3,34 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListView>
 #include <QMenuBar>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTableView>
 #include <QTimer>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/fighter_properties.h"
 #include "studio/app/keys_page.h"
 #include "studio/app/main_window.h"
+#include "studio/app/message_strip.h"
 #include "studio/app/system_theme.h"
 #include "studio/app/workspaces.h"
+#include "studio/jobs/job_bar.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/graph/graph_centre.h"
+#include "studio/workspaces/graph/graph_commands.h"
+#include "studio/workspaces/graph/graph_panel.h"
+#include "studio/workspaces/graph/graph_session.h"
+#include "studio/workspaces/graph/surprise_strip.h"
+#include "studio/workspaces/graph/trace_box.h"
+#include "studio/workspaces/graph/what_if_box.h"
 #include "studio/workspaces/label/label_lanes.h"
 #include "studio/workspaces/label/label_panel.h"
 #include "studio/workspaces/label/label_review.h"
@@ -47,7 +59,33 @@ void MainWindow::addWorkspaces() {
         timeline_->setLanes(shown ? labelLanes_ : nullptr);
         if (!spaceShared_) shareSpace();
     });
+    addGraphWorkspace();
     workspaces_->addSwitchCommands(tr("&View"));
+}
+
+void MainWindow::addGraphWorkspace() {
+    graph_ = new GraphSession(session_, this);
+    findChild<JobBar*>()->watch(graph_->jobs());
+    connect(&graph_->jobs(), &JobRunner::failed, strip_, &MessageStrip::showError);
+    auto* panel = new GraphPanel(*graph_, rightPanel_);
+    graphCentre_ = new GraphCentre(*graph_, centres_);
+    auto* strip = new SurpriseStrip(*graph_, *timeline_, timelineBox_);
+    static_cast<QVBoxLayout*>(timelineBox_->layout())->insertWidget(0, strip);
+    workspaces_->add({"graph", tr("Graph"), "graph",
+                      tr("What each fighter tends to do next, and the moments behind it."), panel,
+                      [this, panel] {
+                          const QList<QWidget*> views = {stage_, timelineBox_, graphCentre_,
+                                                         panel->trace().table(),
+                                                         panel->whatIf().list()};
+                          addGraphCommands(*commands_, *graph_, *graphCentre_, views);
+                      },
+                      graphCentre_});
+    const auto follow = [this, strip] {
+        graph_->setActive(workspaces_->current() == QLatin1String("graph"));
+        strip->setVisible(graph_->isActive() && graph_->hasGraph());
+    };
+    connect(workspaces_, &Workspaces::changed, graph_, follow);
+    follow();
 }
 
 void MainWindow::layOutTopBar() {
@@ -91,7 +129,8 @@ void MainWindow::restoreLayout() {
     columnsState_ = settings.value(QStringLiteral("columns")).toByteArray();
     spaceShared_ = rows_->restoreState(settings.value(QStringLiteral("rows")).toByteArray()) &&
                    columns_->restoreState(columnsState_);
-    for (QSplitter* splitter : {rows_, columns_}) {
+    content_->restoreState(settings.value(QStringLiteral("content")).toByteArray());
+    for (QSplitter* splitter : {rows_, columns_, content_}) {
         connect(splitter, &QSplitter::splitterMoved, this, [this] { spaceShared_ = true; });
     }
     workspaces_->show(settings.value(QStringLiteral("workspace")).toString());
@@ -103,6 +142,7 @@ void MainWindow::saveLayout() const {
     settings.setValue(QStringLiteral("geometry"), saveGeometry());
     if (spaceShared_) {
         settings.setValue(QStringLiteral("rows"), rows_->saveState());
+        settings.setValue(QStringLiteral("content"), content_->saveState());
         settings.setValue(QStringLiteral("columns"),
                           panelsShown_ ? columns_->saveState() : columnsState_);
     }
@@ -161,6 +201,9 @@ QString MainWindow::keysHint() const {
         {{"label.reject"}, tr("second best"), !measuring},
         {{"label.laneUp", "label.laneDown"}, tr("lane"), !measuring},
         {{"label.class1"}, tr("… its classes"), !measuring},
+        {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
+        {{"graph.play"}, tr("play what is behind"), !measuring},
+        {{"graph.view"}, tr("matrix or graph"), !measuring},
         {{"transport.back", "transport.on"}, tr("frame")},
         {{"boundary.previous", "boundary.next"}, tr("boundary"), !measuring},
         {{"boundary.add"}, tr("add"), !measuring && !boundary},
