@@ -9,6 +9,7 @@
 #include "core/project/labelling.h"
 #include "core/project/project_file.h"
 #include "core/project/simulation.h"
+#include "core/project/vocabulary_change.h"
 
 namespace kumite::cli {
 namespace {
@@ -38,6 +39,9 @@ void useVocabulary(OpenProject& open, const Options& o, const Streams& streams) 
     const MappedFile file(o.vocabulary);
     Findings findings;
     const Vocabulary vocabulary = parseVocabulary(file.bytes(), o.vocabulary, &findings);
+    for (const VocabularyLoss& loss : lostBy(open.project, vocabulary)) {
+        findings.push_back(warning(vocabulary.name + " has no word for " + lossText(loss) + "."));
+    }
     printFindings(findings, streams);
     if (auto edit = setVocabulary(open.project, vocabulary))
         open.project = std::move(edit->project);
@@ -242,28 +246,6 @@ void addLabel(CLI::App& app, Action& action) {
             if (!o->import.empty()) runImport(open, *o, streams);
             if (o->automatic) runAuto(open, *o, streams);
             if (open.project != before) saveProject(open.project, o->project);
-        };
-    });
-}
-
-void addLabels(CLI::App& app, Action& action) {
-    struct LabelsOptions {
-        std::string project, take, out;
-    };
-    auto o = std::make_shared<LabelsOptions>();
-    CLI::App* command = app.add_subcommand("labels", "Writes the labels of all labelled actions.");
-    command->add_option("PROJECT", o->project, "a .kumite file")->required();
-    command->add_option("--out", o->out, "file to write: .csv, .json or .eaf (ELAN, one take)")
-        ->required();
-    command->add_option("--take", o->take, "only this take");
-    command->footer("Example: kumite labels bout.kumite --out labels.csv");
-    command->callback([o, &action] {
-        action = [o](const Streams& streams) {
-            const OpenProject open = openProject(o->project, streams);
-            refuseToOverwrite(o->out, {o->project});
-            std::optional<int> take;
-            if (!o->take.empty()) take = takeNamed(open.project, o->take);
-            writeLabels(open.project, open.analysis, take, o->out);
         };
     });
 }
