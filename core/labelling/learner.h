@@ -29,6 +29,8 @@ struct Prediction {
     double confidence = 0;     ///< calibrated probability; 0 where only one class has been seen, or
                                ///< where probabilities were not asked for
     bool blind = true;         ///< fewer than two classes seen: nothing was learnt
+    int second = kUnknown;     ///< the qualifier that comes next; kUnknown: none
+    double secondConfidence = 0;  ///< its probability, as `confidence`
 };
 
 /// Predictions of all rows, row by row, one per aspect of the vocabulary (rule aspects stay blind).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -119,6 +120,21 @@ std::string howMany(std::span<const int> actions, FighterAddress fighter) {
                : fmt::format("{} actions, fighter {}", actions.size(), fighter.player + 1);
 }
 
+/// "Label action 12, fighter 1: right_punch:fwd"; what differs from answer to answer is left out.
+std::string nameOf(const Vocabulary& vocabulary, std::span<const ActionAnswer> answers,
+                   std::size_t fighters) {
+    std::vector<int> actions;
+    bool same = true;
+    for (const ActionAnswer& answer : answers) {
+        actions.push_back(answer.action);
+        same = same && answer.label == answers.front().label;
+    }
+    std::string name = "Label " + (fighters == 1 ? howMany(actions, answers.front().fighter)
+                                                 : fmt::format("{} actions", answers.size()));
+    if (same) name += ": " + labelText(vocabulary, answers.front().label);
+    return name;
+}
+
 /// Puts values of `proposals` into the project where `takes(old, new)` says so.
 template <typename Takes>
 MaybeEdit mergeLabels(const Project& project, const Analysis& analysis,
@@ -188,23 +204,43 @@ MaybeEdit setLabel(const Project& project, const Analysis& analysis, FighterAddr
 
 MaybeEdit setWholeLabel(const Project& project, const Analysis& analysis, FighterAddress address,
                         std::span<const int> actions, const Label& label) {
+    std::vector<ActionAnswer> answers;
+    for (const int action : actions)
+        answers.push_back({address, action, label});
+    return setLabels(project, analysis, answers);
+}
+
+MaybeEdit setLabels(const Project& project, const Analysis& analysis,
+                    std::span<const ActionAnswer> answers) {
+    if (answers.empty()) return std::nullopt;
     const Vocabulary& vocabulary = *project.labelling.vocabulary;
-    if (static_cast<int>(label.size()) != vocabulary.size()) {
-        throw Error("The label belongs to another vocabulary.");
-    }
-    LabelEdit edit(project, analysis, address);
-    for (const int action : actions) {
-        ActionLabel& changed = edit.at(action);
+    std::map<std::pair<int, int>, LabelEdit> edits;  // by take and player
+    for (const ActionAnswer& answer : answers) {
+        if (static_cast<int>(answer.label.size()) != vocabulary.size()) {
+            throw Error("The label belongs to another vocabulary.");
+        }
+        LabelEdit& edit = edits
+                              .try_emplace({answer.fighter.take, answer.fighter.player}, project,
+                                           analysis, answer.fighter)
+                              .first->second;
+        ActionLabel& changed = edit.at(answer.action);
         for (int a = 0; a < vocabulary.size(); ++a) {
-            const int qualifier = label[static_cast<std::size_t>(a)];
+            const int qualifier = answer.label[static_cast<std::size_t>(a)];
             if (qualifier == kUnknown) continue;
             requireQualifier(vocabulary[a], qualifier);
             changed.aspects[static_cast<std::size_t>(a)] = byHand(qualifier);
         }
     }
-    return withLabels(
-        project, address, edit.result(),
-        fmt::format("Label {}: {}", howMany(actions, address), labelText(vocabulary, label)));
+    Edit edit{project, nameOf(vocabulary, answers, edits.size())};
+    bool changed = false;
+    for (const auto& [key, labels] : edits) {
+        const FighterAddress address{key.first, key.second};
+        LabelTrack track = labels.result();
+        if (track == *fighterAt(project, address).labels) continue;
+        fighterAt(edit.project, address).labels = std::move(track);
+        changed = true;
+    }
+    return changed ? MaybeEdit(std::move(edit)) : std::nullopt;
 }
 
 MaybeEdit clearLabel(const Project& project, const Analysis& analysis, FighterAddress address,

@@ -23,6 +23,15 @@ MaybeEdit setLabel(const Project& project, const Analysis& analysis, FighterAddr
 /// A hand says the whole label; unknown aspects stay as they are.
 MaybeEdit setWholeLabel(const Project& project, const Analysis& analysis, FighterAddress fighter,
                         std::span<const int> actions, const Label& label);
+/// What a hand says about one action; unknown aspects stay as they are.
+struct ActionAnswer {
+    FighterAddress fighter;
+    int action = 0;
+    Label label;
+};
+/// A hand says whole labels of several actions, of whichever fighters, as one step.
+MaybeEdit setLabels(const Project& project, const Analysis& analysis,
+                    std::span<const ActionAnswer> answers);
 /// Takes back what was said, by whomever: of one aspect, or of all.
 MaybeEdit clearLabel(const Project& project, const Analysis& analysis, FighterAddress fighter,
                      std::span<const int> actions, std::optional<int> aspect = {});

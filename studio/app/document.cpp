@@ -9,11 +9,12 @@ namespace kumite::studio {
 namespace {
 
 /// Whether every fighter was analysed with all that its curves are made from, wherever it stood:
-/// then the analysis takes milliseconds. Corrections, notes, offsets, placements and the order of
-/// takes and fighters are such changes.
+/// then the analysis takes milliseconds. Corrections, notes, labels, offsets, placements and the
+/// order of takes and fighters are such changes.
 bool isQuick(const Analysis& analysis, const Project& project) {
     if (!(analysis.settings == project.segmentation) ||
-        !(analysis.bodyModel == project.bodyModel)) {
+        !(analysis.bodyModel == project.bodyModel) ||
+        !(analysis.contacts == project.labelling.rules.contacts)) {
         return false;
     }
     const auto isKnown = [&](const Fighter& fighter) {
@@ -22,6 +23,7 @@ bool isQuick(const Analysis& analysis, const Project& project) {
                 Fighter seen = known.input;
                 seen.corrections = fighter.corrections;
                 seen.notes = fighter.notes;
+                seen.labels = fighter.labels;
                 seen.offset = fighter.offset;
                 seen.placement = fighter.placement;
                 if (seen == fighter) return true;

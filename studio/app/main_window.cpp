@@ -33,6 +33,7 @@
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/label/label_session.h"
 
 namespace kumite::studio {
 
@@ -189,7 +190,8 @@ void MainWindow::listen() {
 }
 
 bool MainWindow::isBusy() const {
-    return files_->isBusy() || !session_.document().isCurrent();
+    return files_->isBusy() || !session_.document().isCurrent() ||
+           (labels_->isActive() && labels_->isLearning());
 }
 
 void MainWindow::shareSpace() {

@@ -21,6 +21,7 @@ class CommandPalette;
 class CommandTable;
 class DocumentPanel;
 class FileActions;
+class LabelSession;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
@@ -52,6 +53,7 @@ public:
     Workspaces& workspaces() { return *workspaces_; }
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
+    LabelSession& labels() { return *labels_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
 
@@ -116,6 +118,7 @@ private:
     DocumentPanel* documentPanel_ = nullptr;
     QStackedWidget* rightPanel_ = nullptr;
     Workspaces* workspaces_ = nullptr;
+    LabelSession* labels_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;

@@ -18,6 +18,8 @@
 #include "studio/app/system_theme.h"
 #include "studio/app/workspaces.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/label/label_panel.h"
+#include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
@@ -27,6 +29,15 @@ void MainWindow::addWorkspaces() {
     workspaces_->add({"segment", tr("Segment"), "segment",
                       tr("Correct the boundaries that cut the bout into actions."), segment,
                       [this, segment] { addSegmentCommands(*segment); }});
+    labels_ = new LabelSession(session_, this);
+    auto* label = new LabelPanel(*labels_, rightPanel_);
+    workspaces_->add({"label", tr("Label"), "label",
+                      tr("Say what a few actions are; the machine says it of the rest."), label});
+    connect(workspaces_, &Workspaces::changed, labels_, [this] {
+        // Once it has been shown it goes on learning.
+        if (workspaces_->current() == QLatin1String("label")) labels_->setActive(true);
+    });
+    connect(labels_, &LabelSession::changed, commands_, &CommandTable::refresh);
     workspaces_->addSwitchCommands(tr("&View"));
 }
 
