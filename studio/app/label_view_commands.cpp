@@ -3,6 +3,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/app/main_window.h"
+#include "studio/app/workspaces.h"
 #include "studio/workspaces/label/compare_labels_box.h"
 #include "studio/workspaces/label/find_box.h"
 #include "studio/workspaces/label/found_list.h"

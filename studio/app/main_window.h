@@ -21,7 +21,9 @@ class CommandPalette;
 class CommandTable;
 class DocumentPanel;
 class FileActions;
+class LabelExchange;
 class LabelSession;
+class LabelViews;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
@@ -83,6 +85,7 @@ private:
     void addTakeCommands();
     void addWorkspaces();
     void addSegmentCommands(SegmentPanel& panel);
+    void addLabelViewCommands(LabelViews& views);
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -119,6 +122,7 @@ private:
     QStackedWidget* rightPanel_ = nullptr;
     Workspaces* workspaces_ = nullptr;
     LabelSession* labels_ = nullptr;
+    LabelExchange* exchange_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;

@@ -18,8 +18,9 @@
 #include "studio/app/system_theme.h"
 #include "studio/app/workspaces.h"
 #include "studio/view3d/stage_view.h"
-#include "studio/workspaces/label/label_panel.h"
+#include "studio/workspaces/label/label_exchange.h"
 #include "studio/workspaces/label/label_session.h"
+#include "studio/workspaces/label/label_views.h"
 #include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
@@ -30,9 +31,11 @@ void MainWindow::addWorkspaces() {
                       tr("Correct the boundaries that cut the bout into actions."), segment,
                       [this, segment] { addSegmentCommands(*segment); }});
     labels_ = new LabelSession(session_, this);
-    auto* label = new LabelPanel(*labels_, rightPanel_);
+    exchange_ = new LabelExchange(session_, *strip_, this);
+    auto* label = new LabelViews(*labels_, rightPanel_);
     workspaces_->add({"label", tr("Label"), "label",
-                      tr("Say what a few actions are; the machine says it of the rest."), label});
+                      tr("Say what a few actions are; the machine says it of the rest."), label,
+                      [this, label] { addLabelViewCommands(*label); }});
     connect(workspaces_, &Workspaces::changed, labels_, [this] {
         // Once it has been shown it goes on learning.
         if (workspaces_->current() == QLatin1String("label")) labels_->setActive(true);

@@ -84,8 +84,8 @@ FindBox::FindBox(LabelSession& labels, QWidget* parent)
     auto* completer = new QCompleter(offers_, this);
     completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);
     completer->setWidget(field_);
-    connect(completer, &QCompleter::activated, field_,
-            qOverload<const QString&>(&QLineEdit::setText));
+    connect(completer, qOverload<const QString&>(&QCompleter::activated), field_,
+            &QLineEdit::setText);
     connect(field_, &QLineEdit::textChanged, this, &FindBox::find);
     connect(field_, &QLineEdit::textEdited, this, &FindBox::complete);
     connect(field_, &QLineEdit::returnPressed, this, [this] { list_->step(1); });
