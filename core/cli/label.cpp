@@ -5,6 +5,7 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/cli/agreement.h"
 #include "core/cli/command.h"
 #include "core/project/labelling.h"
 #include "core/project/project_file.h"
@@ -21,7 +22,7 @@ struct Options {
     double budget = 0.10;
     std::uint32_t seed = 1;
     int batch = QuerySettings().batch;
-    bool automatic = false, noMirror = false, limbFirst = false, json = false;
+    bool automatic = false, merge = false, noMirror = false, limbFirst = false, json = false;
 };
 
 double rounded(double value) {
@@ -56,26 +57,35 @@ void useLearning(OpenProject& open, const Options& o) {
 
 void runImport(OpenProject& open, const Options& o, const Streams& streams) {
     refuseToOverwrite(o.project, {o.import});
-    const auto labels = readLabels(o.import, *open.project.labelling.vocabulary);
+    Findings findings;
+    const auto labels = readLabels(o.import, *open.project.labelling.vocabulary, &findings);
     const MatchedLabels matched =
         matchLabels(open.project, open.analysis, labels, chosenTake(open.project, o.take));
-    printFindings(matched.unmatched, streams);
-    if (auto edit = importLabels(open.project, open.analysis, matched.fighters)) {
+    findings.insert(findings.end(), matched.unmatched.begin(), matched.unmatched.end());
+    printFindings(findings, streams);
+    std::optional<Agreement> agreement;
+    if (o.merge) {
+        agreement = compareLabels(open.project, open.analysis,
+                                  ownLabels(open.project, open.analysis), matched.fighters);
+    }
+    const auto bring = o.merge ? mergeLabels : importLabels;
+    if (auto edit = bring(open.project, open.analysis, matched.fighters)) {
         open.project = std::move(edit->project);
     }
-    if (!o.json) {
-        streams.out << fmt::format("{} of {} labels found their action\n", matched.matched,
-                                   labels.size());
+    if (o.json) {
+        Json unmatched = Json::array();
+        for (const Finding& finding : findings)
+            unmatched.push_back(finding.text);
+        Json json = {{"read", labels.size()},
+                     {"matched", matched.matched},
+                     {"unmatched", std::move(unmatched)}};
+        if (agreement) json["agreement"] = agreementJson(open, *agreement);
+        streams.out << json.dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
         return;
     }
-    Json unmatched = Json::array();
-    for (const Finding& finding : matched.unmatched)
-        unmatched.push_back(finding.text);
-    streams.out << Json{{"read", labels.size()},
-                        {"matched", matched.matched},
-                        {"unmatched", std::move(unmatched)}}
-                       .dump(1, ' ', false, Json::error_handler_t::replace)
-                << "\n";
+    streams.out << fmt::format("{} of {} labels found their action\n", matched.matched,
+                               labels.size());
+    if (agreement) printAgreement(open, *agreement, streams);
 }
 
 void runAuto(OpenProject& open, const Options& o, const Streams& streams) {
@@ -202,14 +212,19 @@ void addLabel(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "label", "Labels actions: from a file, by the machine, or as a simulated session.");
     command->add_option("PROJECT", o->project, "a .kumite file")->required();
-    auto* import = command->add_option("--import", o->import,
-                                       "labels to take over: .csv, .json or a truth.json");
+    auto* import = command->add_option(
+        "--import", o->import, "labels to take over: .csv, .json, .eaf (ELAN) or a truth.json");
     auto* automatic = command->add_flag(
         "--auto", o->automatic, "learn from what a hand labelled and label the rest; hands stay");
     auto* simulate = command->add_option(
         "--simulate", o->simulate, "play a user who answers from this truth; changes nothing");
     import->excludes(automatic)->excludes(simulate);
     automatic->excludes(simulate);
+    command
+        ->add_flag("--merge", o->merge,
+                   "with --import: another person's labels: fill in what is not labelled by hand "
+                   "yet, keep the rest, and tell how far both agree")
+        ->needs(import);
     command->add_option("--strategy", o->strategy, "with --simulate: active or random")
         ->check(CLI::IsMember({"active", "random"}))
         ->needs(simulate);

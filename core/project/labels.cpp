@@ -137,9 +137,8 @@ std::string nameOf(const Vocabulary& vocabulary, std::span<const ActionAnswer> a
 
 /// Puts values of `proposals` into the project where `takes(old, new)` says so.
 template <typename Takes>
-MaybeEdit mergeLabels(const Project& project, const Analysis& analysis,
-                      std::span<const FighterLabels> proposals, std::string name,
-                      const Takes& takes) {
+MaybeEdit combine(const Project& project, const Analysis& analysis,
+                  std::span<const FighterLabels> proposals, std::string name, const Takes& takes) {
     Edit edit{project, std::move(name)};
     bool changed = false;
     for (const FighterLabels& proposal : proposals) {
@@ -260,19 +259,27 @@ MaybeEdit clearLabel(const Project& project, const Analysis& analysis, FighterAd
 
 MaybeEdit acceptLabels(const Project& project, const Analysis& analysis,
                        std::span<const FighterLabels> proposals, double leastConfidence) {
-    return mergeLabels(project, analysis, proposals, "Accept labels",
-                       [&](const AspectValue& old, const AspectValue& value) {
-                           return !old.byHand() && !value.byHand() &&
-                                  static_cast<double>(value.confidence) >= leastConfidence;
-                       });
+    return combine(project, analysis, proposals, "Accept labels",
+                   [&](const AspectValue& old, const AspectValue& value) {
+                       return !old.byHand() && !value.byHand() &&
+                              static_cast<double>(value.confidence) >= leastConfidence;
+                   });
 }
 
 MaybeEdit importLabels(const Project& project, const Analysis& analysis,
                        std::span<const FighterLabels> labels) {
-    return mergeLabels(project, analysis, labels, "Import labels",
-                       [](const AspectValue& old, const AspectValue& value) {
-                           return !old.byHand() || value.byHand();
-                       });
+    return combine(project, analysis, labels, "Import labels",
+                   [](const AspectValue& old, const AspectValue& value) {
+                       return !old.byHand() || value.byHand();
+                   });
+}
+
+MaybeEdit mergeLabels(const Project& project, const Analysis& analysis,
+                      std::span<const FighterLabels> labels) {
+    return combine(project, analysis, labels, "Merge labels",
+                   [](const AspectValue& old, const AspectValue& value) {
+                       return !old.byHand() && (value.byHand() || !old.known());
+                   });
 }
 
 MaybeEdit setVocabulary(const Project& project, const Vocabulary& vocabulary) {

@@ -50,6 +50,12 @@ MaybeEdit acceptLabels(const Project& project, const Analysis& analysis,
 MaybeEdit importLabels(const Project& project, const Analysis& analysis,
                        std::span<const FighterLabels> labels);
 
+/// Fills in what `labels` say where no hand of this project has spoken yet (another person's work
+/// joined to the own): what a hand has set stays, and nothing that is known gives way to a rule or
+/// a machine.
+MaybeEdit mergeLabels(const Project& project, const Analysis& analysis,
+                      std::span<const FighterLabels> labels);
+
 /// Another vocabulary; what was said stays where the new one has the same ids.
 MaybeEdit setVocabulary(const Project& project, const Vocabulary& vocabulary);
 MaybeEdit setRules(const Project& project, const RuleSettings& rules);

@@ -239,15 +239,16 @@ TEST(Scores, WorkedOutOnPaper) {
 
 TEST(Scores, CohensKappa) {
     // 20 actions, both yes 10, both no 5, first only 3, second only 2.
-    std::vector<int> first, second;
-    const auto add = [&](int a, int b, int times) {
-        first.insert(first.end(), static_cast<std::size_t>(times), a);
-        second.insert(second.end(), static_cast<std::size_t>(times), b);
-    };
-    add(1, 1, 10), add(0, 0, 5), add(1, 0, 3), add(0, 1, 2), add(kUnknown, 1, 4);
+    const JudgementTable table = {{5, 2}, {3, 10}};
     const double chance = 13.0 / 20 * 12 / 20 + 7.0 / 20 * 8 / 20;
-    EXPECT_NEAR(*cohensKappa(first, second), (0.75 - chance) / (1 - chance), 1e-12);
-    EXPECT_EQ(cohensKappa({}, {}), std::nullopt);
+    EXPECT_NEAR(*cohensKappa({{table}}), (0.75 - chance) / (1 - chance), 1e-12);
+    EXPECT_EQ(cohensKappa({}), std::nullopt);
+    EXPECT_EQ(cohensKappa({{JudgementTable{{0, 0}, {0, 0}}}}), std::nullopt);
+    EXPECT_EQ(cohensKappa({{JudgementTable{{7, 0}, {0, 0}}}}), 1.0) << "the same single thing";
+    // A second aspect of 10 actions: 6 and 3 the same, 1 differs; by chance 0.7 * 0.6 + 0.3 * 0.4.
+    const JudgementTable second = {{6, 1}, {0, 3}};
+    const double byChance = 20 * chance + 10 * (0.7 * 0.6 + 0.3 * 0.4);
+    EXPECT_NEAR(*cohensKappa({{table, second}}), (15 + 9 - byChance) / (30 - byChance), 1e-12);
 }
 
 }  // namespace
