@@ -22,6 +22,9 @@ class CommandTable;
 class DocumentPanel;
 class FileActions;
 class LabelExchange;
+class LabelLanes;
+class LabelPanel;
+class LabelReview;
 class LabelSession;
 class LabelViews;
 class MessageStrip;
@@ -56,6 +59,7 @@ public:
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
     LabelSession& labels() { return *labels_; }
+    LabelReview& labelReview() { return *labelReview_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
 
@@ -84,8 +88,15 @@ private:
     void addEditCommands();
     void addTakeCommands();
     void addWorkspaces();
+    /// Of the menu Segment.
+    void addBoundaryCommand(const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            std::function<void()> run, bool newGroup = false,
+                            const QList<QWidget*>& scopes = {});
+    void addBoundaryCommands();
     void addSegmentCommands(SegmentPanel& panel);
     void addLabelViewCommands(LabelViews& views);
+    void addLabelCommands(LabelPanel& panel);
+    void showLabelKeys();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -123,6 +134,8 @@ private:
     Workspaces* workspaces_ = nullptr;
     LabelSession* labels_ = nullptr;
     LabelExchange* exchange_ = nullptr;
+    LabelReview* labelReview_ = nullptr;
+    LabelLanes* labelLanes_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;

@@ -17,8 +17,12 @@
 #include "studio/app/main_window.h"
 #include "studio/app/system_theme.h"
 #include "studio/app/workspaces.h"
+#include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/label/label_exchange.h"
+#include "studio/workspaces/label/label_lanes.h"
+#include "studio/workspaces/label/label_panel.h"
+#include "studio/workspaces/label/label_review.h"
 #include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/label/label_views.h"
 #include "studio/workspaces/segment/segment_panel.h"
@@ -30,17 +34,25 @@ void MainWindow::addWorkspaces() {
     workspaces_->add({"segment", tr("Segment"), "segment",
                       tr("Correct the boundaries that cut the bout into actions."), segment,
                       [this, segment] { addSegmentCommands(*segment); }});
+    commands_->addFor(QStringLiteral("segment label"), [this] { addBoundaryCommands(); });
     labels_ = new LabelSession(session_, this);
+    labelReview_ = new LabelReview(*labels_, this);
+    labelLanes_ = new LabelLanes(*labels_, *labelReview_, this);
     exchange_ = new LabelExchange(session_, *strip_, this);
-    auto* label = new LabelViews(*labels_, rightPanel_);
+    auto* label = new LabelViews(*labelReview_, *commands_, rightPanel_);
     workspaces_->add({"label", tr("Label"), "label",
                       tr("Say what a few actions are; the machine says it of the rest."), label,
-                      [this, label] { addLabelViewCommands(*label); }});
-    connect(workspaces_, &Workspaces::changed, labels_, [this] {
+                      [this, label] {
+                          addLabelCommands(label->label());
+                          addLabelViewCommands(*label);
+                      }});
+    connect(workspaces_, &Workspaces::changed, this, [this] {
+        const bool shown = workspaces_->current() == QLatin1String("label");
         // Once it has been shown it goes on learning.
-        if (workspaces_->current() == QLatin1String("label")) labels_->setActive(true);
+        if (shown) labels_->setActive(true);
+        timeline_->setLanes(shown ? labelLanes_ : nullptr);
+        if (!spaceShared_) shareSpace();
     });
-    connect(labels_, &LabelSession::changed, commands_, &CommandTable::refresh);
     workspaces_->addSwitchCommands(tr("&View"));
 }
 
@@ -139,6 +151,11 @@ QString MainWindow::keysHint() const {
         {{"review.next"}, tr("next suspect")},
         {{"review.accept"}, tr("keep")},
         {{"review.reject"}, tr("remove")},
+        {{"label.next"}, tr("next question")},
+        {{"label.accept"}, tr("accept")},
+        {{"label.reject"}, tr("second best")},
+        {{"label.laneUp", "label.laneDown"}, tr("lane")},
+        {{"label.class1"}, tr("… its classes")},
         {{"transport.back", "transport.on"}, tr("frame")},
         {{"boundary.previous", "boundary.next"}, tr("boundary")},
         {{"boundary.add"}, tr("add")},

@@ -303,6 +303,9 @@ void MarkPainter::paintSelection(const Track& track, const ActionRef& action) {
     painter_.setPen(QPen(colours_.accent, 1.5));
     painter_.setBrush(Qt::NoBrush);
     painter_.drawRect(QRectF(left, track.strip().top(), right - left, track.strip().height()));
+    const QRectF lanes = track.lanes().area;
+    if (!lanes.isEmpty())
+        painter_.drawRect(QRectF(left, lanes.top(), right - left, lanes.height()));
 }
 
 void MarkPainter::paintSelection(const Track& track, const BoundaryRef& boundary) {

@@ -8,6 +8,7 @@
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
+#include "studio/timeline/lanes.h"
 #include "studio/timeline/mark_painter.h"
 #include "studio/timeline/note_field.h"
 #include "studio/timeline/ruler.h"
@@ -82,6 +83,14 @@ void TimelineView::setOptions(const TimelineOptions& options) {
     refresh();
 }
 
+void TimelineView::setLanes(LaneSource* lanes) {
+    if (lanes == lanes_) return;
+    if (lanes_) disconnect(lanes_, nullptr, this, nullptr);
+    lanes_ = lanes;
+    if (lanes_) connect(lanes_, &LaneSource::changed, this, &TimelineView::invalidate);
+    refresh();
+}
+
 void TimelineView::editNote() {
     const auto action = session_.currentAction();
     if (!action) return;
@@ -102,7 +111,9 @@ int TimelineView::speedRows() const {
 }
 
 QSize TimelineView::sizeHint() const {
-    return {800, 140 + 100 * speedRows()};
+    constexpr int kLane = 11;
+    const int lanes = lanes_ ? 2 * kLane * lanes_->laneCount() : 0;
+    return {800, 140 + 100 * speedRows() + lanes};
 }
 
 void TimelineView::layOut() {
@@ -111,7 +122,8 @@ void TimelineView::layOut() {
         const double each = height / static_cast<double>(tracks_.size());
         const double top = std::round(kRulerHeight + each * static_cast<double>(i));
         const double bottom = std::round(kRulerHeight + each * static_cast<double>(i + 1));
-        tracks_[i].setGeometry(QRectF(0, top, width(), bottom - top), kLeftGutter, kRightGutter);
+        tracks_[i].setGeometry(QRectF(0, top, width(), bottom - top), kLeftGutter, kRightGutter,
+                               lanes_ ? lanes_->laneCount() : 0);
     }
 }
 
@@ -166,6 +178,9 @@ void TimelineView::paintStill(QPainter& painter) {
     TrackPainter tracks(painter, session_, c, map);
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         tracks.paint(tracks_[i], static_cast<int>(i));
+        if (lanes_) {
+            paintLanes(painter, *lanes_, session_, static_cast<int>(i), tracks_[i].lanes(), c, map);
+        }
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(c.line);
         const double y = tracks_[i].row().bottom() - 0.5;
@@ -190,6 +205,13 @@ void TimelineView::paintMoving(QPainter& painter) {
     }
     const auto& action = session_.selectedAction();
     if (action && action->player < players) marks.paintSelection(trackOf(action->player), *action);
+    if (lanes_) {
+        for (const ActionRef& chosen : lanes_->chosen()) {
+            if (chosen != action && chosen.player < players) {
+                marks.paintSelection(trackOf(chosen.player), chosen);
+            }
+        }
+    }
     const auto& selected = session_.selection();
     if (selected && selected->player < players) {
         marks.paintSelection(trackOf(selected->player), *selected);

@@ -94,14 +94,25 @@ void Track::makeSpeeds(const FighterAnalysis& fighter, const TimelineOptions& op
     add(false, footPoint(skeleton, roles, true), footPoint(skeleton, roles, false));
 }
 
-void Track::setGeometry(const QRectF& row, double leftGutter, double rightGutter) {
+void Track::setGeometry(const QRectF& row, double leftGutter, double rightGutter, int laneCount) {
     constexpr double kStripHeight = 14;
     constexpr double kTop = 6;
     constexpr double kGap = 8;
+    constexpr double kLowestPlot = 28;
     row_ = row;
-    const double bottom = row.bottom() - 4 - kStripHeight;
     const double left = row.left() + leftGutter;
     const double width = row.width() - leftGutter - rightGutter;
+    double bottom = row.bottom() - 4 - kStripHeight;
+    lanes_ = {};
+    if (laneCount > 0) {
+        const double plots = kLowestPlot * (1 + 0.5 * static_cast<double>(speeds_.size()));
+        const double room = bottom - 2 - (row.top() + kTop) - kGap - plots;
+        lanes_.height = laneHeight(room, laneCount);
+        lanes_.collapsed = lanes_.height == 0;
+        const double height = lanes_.collapsed ? kStripHeight : lanes_.height * laneCount;
+        bottom -= height + 2;
+        lanes_.area = QRectF(left, bottom + kStripHeight + 2, width, height);
+    }
     strip_ = QRectF(left, bottom, width, kStripHeight);
     // Speeds get half as much room as the force each.
     const auto rows = static_cast<double>(speeds_.size());

@@ -8,6 +8,7 @@
 
 #include "core/project/analysis.h"
 #include "studio/timeline/curve_pyramid.h"
+#include "studio/timeline/lane_painter.h"
 #include "studio/timeline/time_mapping.h"
 #include "studio/timeline/timeline_options.h"
 
@@ -38,7 +39,7 @@ public:
     /// `curve`: which force is cut.
     void setFighter(const FighterAnalysis* fighter, const TimelineOptions& options,
                     ForceCurve curve);
-    void setGeometry(const QRectF& row, double leftGutter, double rightGutter);
+    void setGeometry(const QRectF& row, double leftGutter, double rightGutter, int laneCount);
 
     bool hasCurve() const { return force_ != nullptr && forceCurve_.size() > 0; }
     const CurvePyramid& forceCurve() const { return forceCurve_; }
@@ -48,9 +49,10 @@ public:
     const std::vector<SpeedRow>& speeds() const { return speeds_; }
 
     QRectF row() const { return row_; }
-    /// Where force and height are, and the strip of actions at the bottom.
+    /// Where force and height are, the strip of actions under them, and the lanes under that.
     QRectF plot() const { return plot_; }
     QRectF strip() const { return strip_; }
+    const LanePlace& lanes() const { return lanes_; }
 
     /// The force axis goes over body weights; it begins at 0 where the curve comes near it.
     const ValueAxis& forceAxis() const { return forceAxis_; }
@@ -74,6 +76,7 @@ private:
     ValueAxis forceAxis_{0, 2};
     ValueAxis heightAxis_{0, 1};
     QRectF row_, plot_, strip_;
+    LanePlace lanes_;
 };
 
 }  // namespace kumite::studio

@@ -35,6 +35,9 @@ public:
 
     /// Shows the whole area that the take covers.
     void frameAll();
+    /// Shows both fighters as they are from one moment to another (seconds on the take's clock);
+    /// turns to the side where one would hide the other.
+    void frameFighters(double begin, double end);
     /// Shows the active fighter as it stands now.
     void frameActiveFighter();
     void lookFromFront();

@@ -120,6 +120,10 @@ const std::vector<ActionLabel>* LabelSession::proposalsOf(
     return nullptr;
 }
 
+double LabelSession::timeOf(const ShownAction& action) const {
+    return timeOfFrame(fighterAt(session_.document().project(), action.fighter), action.peak);
+}
+
 const RuleReasons* LabelSession::reasonsOf(const ShownAction& action) const {
     if (action.row < 0) return nullptr;
     const std::vector<RuleReasons>* reasons = nullptr;
@@ -196,11 +200,10 @@ void LabelSession::rebuildQueue() {
         double weight = 0;
         int index = 0;
     };
-    const Project& project = session_.document().project();
     const auto weightOf = [&](const ShownAction& action) {
         if (order_ == QueueOrder::MostUseful) return action.margin();
         if (order_ == QueueOrder::LeastSure) return action.confidence();
-        return timeOfFrame(fighterAt(project, action.fighter), action.peak);
+        return timeOf(action);
     };
     std::vector<Open> open;
     for (std::size_t i = 0; i < actions_.size(); ++i) {

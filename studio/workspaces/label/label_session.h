@@ -61,6 +61,8 @@ public:
     int indexOf(FighterAddress fighter, int peak) const;
     /// The selected action, else that of the active fighter at the playhead.
     const ShownAction* current() const;
+    /// When the peak of an action is, seconds on its take's clock.
+    double timeOf(const ShownAction& action) const;
     /// Why rules say what they say; null until they have spoken.
     const RuleReasons* reasonsOf(const ShownAction& action) const;
     /// What machine and rules found; null at first. Its rows are found by `learnt()->ground`.
@@ -84,8 +86,10 @@ public:
 
     /// Shows an action of any take, makes it the current one and forgets what else was chosen.
     void goTo(const ShownAction& action);
-    /// All chosen actions: the current one and those chosen with it.
+    /// All chosen actions, in order: the current one and those chosen with it.
     std::vector<int> chosen() const;
+    /// The same, in the order in which they were chosen.
+    std::vector<ActionRef> chosenRefs() const;
     /// Chooses several; the last one becomes the current one.
     void choose(std::vector<ActionRef> actions);
     /// The aspect whose qualifiers the number keys set.
@@ -105,6 +109,10 @@ public:
     bool agree(std::span<const int> actions);
     /// Takes back whatever was said or accepted; of one aspect, or of all.
     bool clear(std::span<const int> actions, std::optional<int> aspect = {});
+    /// Names a qualifier of one action after the other, all of them one step of the history until
+    /// `endPainting`.
+    void paint(int action, int aspect, int qualifier);
+    void endPainting();
     /// How many actions without a hand's label are as sure as that in every aspect.
     int countSure(double leastConfidence) const;
     /// Accepts those, and what rules say of actions that hands labelled. Not while `isCurrent
@@ -148,6 +156,7 @@ private:
     std::vector<LearnedPoint> curve_;
     std::vector<ActionRef> chosen_;  ///< beside the current action
     int aspect_ = 0;
+    std::vector<ActionAnswer> painted_;
     bool editing_ = false;      ///< the change that is signalled is our own
     Project seen_;              ///< as the last change left it
     std::size_t position_ = 0;  ///< in the history, then

@@ -38,17 +38,22 @@ void LabelSession::followSelection() {
     Q_EMIT choiceChanged();
 }
 
+std::vector<ActionRef> LabelSession::chosenRefs() const {
+    std::vector<ActionRef> refs = chosen_;
+    const auto action = session_.currentAction();
+    if (action && std::find(refs.begin(), refs.end(), *action) == refs.end()) {
+        refs.push_back(*action);
+    }
+    return refs;
+}
+
 std::vector<int> LabelSession::chosen() const {
     std::vector<int> indices;
-    const auto add = [&](const ActionRef& action) {
+    for (const ActionRef& action : chosenRefs()) {
         const int index = indexOf({session_.take(), action.player}, action.peak);
         if (index >= 0) indices.push_back(index);
-    };
-    for (const ActionRef& action : chosen_)
-        add(action);
-    if (const auto action = session_.currentAction()) add(*action);
+    }
     std::sort(indices.begin(), indices.end());
-    indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
     return indices;
 }
 
@@ -94,6 +99,31 @@ bool LabelSession::name(std::span<const int> actions, int aspect, int qualifier,
         return answeredLabel(vocabulary(), action.byHand(), action.label(), aspect, qualifier,
                              naming);
     });
+}
+
+void LabelSession::paint(int action, int aspect, int qualifier) {
+    const ShownAction& shown = actions_.at(static_cast<std::size_t>(action));
+    const bool known =
+        std::any_of(painted_.begin(), painted_.end(), [&](const ActionAnswer& answer) {
+            return answer.fighter == shown.fighter && answer.action == shown.index;
+        });
+    if (known) return;
+    painted_.push_back(
+        {shown.fighter, shown.index,
+         answeredLabel(vocabulary(), shown.byHand(), shown.label(), aspect, qualifier)});
+    Document& document = session_.document();
+    editing_ = true;
+    // Labels change no derived value: the analysis is that of the project before, too.
+    document.applyLive(QStringLiteral("paint labels"), [&](const Project& project) {
+        return setLabels(project, document.analysis(), painted_);
+    });
+    editing_ = false;
+}
+
+void LabelSession::endPainting() {
+    if (painted_.empty()) return;
+    painted_.clear();
+    session_.document().endGesture();
 }
 
 bool LabelSession::say(std::span<const int> actions, const Label& label) {

@@ -13,21 +13,22 @@
 #include "studio/workspaces/label/compare_labels_box.h"
 #include "studio/workspaces/label/find_box.h"
 #include "studio/workspaces/label/label_panel.h"
+#include "studio/workspaces/label/label_review.h"
 #include "studio/workspaces/label/quality_box.h"
 #include "studio/workspaces/label/rules_box.h"
 #include "studio/workspaces/label/similar_box.h"
 
 namespace kumite::studio {
 
-LabelViews::LabelViews(LabelSession& labels, QWidget* parent)
+LabelViews::LabelViews(LabelReview& review, CommandTable& commands, QWidget* parent)
     : QWidget(parent),
       pages_(new QStackedWidget(this)),
-      label_(new LabelPanel(labels, this)),
-      find_(new FindBox(labels, this)),
-      similar_(new SimilarBox(labels, this)),
-      quality_(new QualityBox(labels, this)),
-      rules_(new RulesBox(labels, this)),
-      comparison_(new CompareLabelsBox(labels, this)) {
+      label_(new LabelPanel(review, commands, this)),
+      find_(new FindBox(review.labels(), this)),
+      similar_(new SimilarBox(review.labels(), this)),
+      quality_(new QualityBox(review.labels(), this)),
+      rules_(new RulesBox(review.labels(), this)),
+      comparison_(new CompareLabelsBox(review.labels(), this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(0);

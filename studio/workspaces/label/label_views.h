@@ -10,10 +10,11 @@ class QToolButton;
 
 namespace kumite::studio {
 
+class CommandTable;
 class CompareLabelsBox;
 class FindBox;
 class LabelPanel;
-class LabelSession;
+class LabelReview;
 class QualityBox;
 class RulesBox;
 class SimilarBox;
@@ -26,7 +27,7 @@ class LabelViews : public QWidget {
 public:
     enum Page { LabelPage, FindPage, SimilarPage, QualityPage, RulesPage, ComparePage, PageCount };
 
-    explicit LabelViews(LabelSession& labels, QWidget* parent = nullptr);
+    LabelViews(LabelReview& review, CommandTable& commands, QWidget* parent = nullptr);
 
     Page page() const;
     void setPage(Page page);

@@ -1,16 +1,22 @@
 #include "studio/workspaces/label/progress_box.h"
 
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
+#include <QSettings>
 #include <QVBoxLayout>
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
-#include "studio/workspaces/label/label_session.h"
+#include "studio/workspaces/label/label_review.h"
 
 namespace kumite::studio {
 
 namespace {
+
+constexpr const char* kThreshold = "label/threshold";
 
 /// By hand solid, accepted lighter, open empty.
 class ProgressStrip : public QWidget {
@@ -39,12 +45,15 @@ private:
 
 }  // namespace
 
-ProgressBox::ProgressBox(LabelSession& labels, QWidget* parent)
+ProgressBox::ProgressBox(LabelReview& review, QWidget* parent)
     : QWidget(parent),
-      labels_(labels),
-      bar_(new ProgressStrip(labels, this)),
+      review_(review),
+      labels_(review.labels()),
+      bar_(new ProgressStrip(review.labels(), this)),
       counts_(new QLabel(this)),
-      advice_(new QLabel(this)) {
+      advice_(new QLabel(this)),
+      threshold_(new QDoubleSpinBox(this)),
+      accept_(new QPushButton(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -56,6 +65,30 @@ ProgressBox::ProgressBox(LabelSession& labels, QWidget* parent)
     advice_->setWordWrap(true);
     advice_->setProperty("role", "second");
     advice_->setAccessibleName(tr("What to do next"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(accept_, 1);
+    row->addWidget(threshold_);
+    layout->addLayout(row);
+    accept_->setFocusPolicy(Qt::TabFocus);
+    accept_->setToolTip(
+        tr("Keep what machine and rules propose where they are at least so sure; "
+           "one step of the history (Ctrl+Return)"));
+    threshold_->setRange(0, 1);
+    threshold_->setSingleStep(0.05);
+    threshold_->setDecimals(2);
+    threshold_->setPrefix(QStringLiteral("p ≥ "));
+    threshold_->setValue(QSettings().value(QLatin1String(kThreshold), 0.9).toDouble());
+    threshold_->setAccessibleName(tr("Least probability of what is accepted"));
+    connect(threshold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        QSettings().setValue(QLatin1String(kThreshold), value);
+        refresh();
+    });
+    connect(accept_, &QPushButton::clicked, this, [this] { review_.acceptSure(threshold()); });
+}
+
+double ProgressBox::threshold() const {
+    return threshold_->value();
 }
 
 void ProgressBox::refresh() {
@@ -71,6 +104,11 @@ void ProgressBox::refresh() {
     }
     counts_->setText(counts);
     advice_->setText(adviceText());
+    const int sure = labels_.countSure(threshold());
+    const bool anyLeft = progress.actions > 0 && progress.settled < progress.actions;
+    accept_->setText(sure == 0 && anyLeft && progress.byHand > 0 ? tr("Accept rules' labels")
+                                                                 : tr("Accept %1 sure").arg(sure));
+    accept_->setEnabled(anyLeft && progress.byHand > 0);
 }
 
 QString ProgressBox::adviceText() const {
