@@ -11,8 +11,8 @@
 
 namespace kumite {
 
-/// Below this confidence a label counts as uncertain.
-inline constexpr double kUncertain = 0.8;
+/// From this confidence on a value of the machine deserves no look; below it is uncertain.
+inline constexpr double kSure = 0.8;
 
 /// An action as a filter sees it.
 struct FilterSubject {

@@ -157,11 +157,11 @@ private:
         const std::string word = words_[at_];
         if (word == "uncertain" || word == "unsure") {
             ++at_;
-            return confidenceIn(0, kUncertain, "uncertain");
+            return confidenceIn(0, kSure, "uncertain");
         }
         if (word == "sure" || word == "certain") {
             ++at_;
-            return confidenceIn(kUncertain, kEver, "sure");
+            return confidenceIn(kSure, kEver, "sure");
         }
         const auto comparison = meaning(kComparisons, word);
         if (!comparison) {

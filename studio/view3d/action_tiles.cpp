@@ -147,6 +147,11 @@ QRectF ActionTiles::tileRect(int tile) const {
 }
 
 void ActionTiles::show(std::vector<ActionTile> tiles) {
+    const bool same = std::equal(tiles.begin(), tiles.end(), tiles_.begin(), tiles_.end(),
+                                 [](const ActionTile& a, const ActionTile& b) {
+                                     return a.player == b.player && a.begin == b.begin &&
+                                            a.end == b.end && a.mirrored == b.mirrored;
+                                 });
     tiles_ = std::move(tiles);
     chosen_.assign(tiles_.size(), false);
     current_ = std::clamp(current_, 0, std::max(0, count() - 1));
@@ -166,8 +171,10 @@ void ActionTiles::show(std::vector<ActionTile> tiles) {
                 bonesOf(*fighter.motion->skeleton, fighter.roles, fighter.space.metresPerUnit);
         }
     }
-    clock_.restart();
-    phase_ = 0;
+    if (!same) {
+        clock_.restart();
+        phase_ = 0;
+    }
     arrange();
     Q_EMIT chosenChanged();
 }

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -74,7 +75,13 @@ void LabelViews::addPage(Page page, QWidget* content, const QString& icon, const
         pages_->addWidget(content);
         return;
     }
-    auto* frame = new QWidget(pages_);
+    // A low window scrolls the page instead of growing.
+    auto* scroll = new QScrollArea(pages_);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* frame = new QWidget(scroll);
     auto* layout = new QVBoxLayout(frame);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(5);
@@ -82,7 +89,8 @@ void LabelViews::addPage(Page page, QWidget* content, const QString& icon, const
     heading->setProperty("role", "heading");
     layout->addWidget(heading);
     layout->addWidget(content, 1);
-    pages_->addWidget(frame);
+    scroll->setWidget(frame);
+    pages_->addWidget(scroll);
 }
 
 QString LabelViews::pageName(Page page) const {

@@ -54,14 +54,14 @@ QualityBox::QualityBox(LabelSession& labels, QWidget* parent)
     layout->addWidget(matrix_);
     layout->addWidget(said_);
     layout->addWidget(list_, 1);
-    layout->addWidget(plot_);
+    layout->addWidget(plot_, 1);
     layout->addWidget(gain_);
     aspects_->setAccessibleName(tr("Aspect of the confusion matrix"));
     said_->setAccessibleName(tr("What the cell says"));
     // Two lines, so that nothing moves when the pointer does.
     said_->setMinimumHeight(2 * fontMetrics().lineSpacing());
     said_->setAlignment(Qt::AlignTop);
-    plot_->setFixedHeight(140);
+    plot_->setMaximumHeight(180);
     plot_->setToolTip(
         tr("Share of actions whose learnt aspects are all right. Expected: cross-validation over "
            "the hand labels as the session went. As asked and random: the hand labels are dealt "
@@ -73,7 +73,11 @@ QualityBox::QualityBox(LabelSession& labels, QWidget* parent)
         open_.reset();
         showMatrix();
     });
-    connect(matrix_, &ConfusionMatrix::opened, this, &QualityBox::openCell);
+    connect(matrix_, &ConfusionMatrix::opened, this, [this](const ConfusionCell& cell) {
+        // Once more closes it.
+        if (open_ == cell) return closeCell();
+        openCell(cell);
+    });
     const auto point = [this](const QString& text) {
         const auto& current = matrix_->current();
         said_->setText(text.isEmpty() && current ? matrix_->cellText(*current) : text);
@@ -174,8 +178,7 @@ void QualityBox::showMatrix() {
         accuracy_->setText(
             tr("How often machine and rules say the same as your hand appears here, once some "
                "actions are labelled by hand."));
-        list_->setVisible(false);
-        return;
+        return closeCell();
     }
     const AspectScore& score = judgement_.scores.aspects[static_cast<std::size_t>(chosen)];
     const ConfusionTable table = tableOf(vocabulary[chosen], score);
@@ -195,8 +198,14 @@ void QualityBox::showMatrix() {
     if (open_) {
         openCell(*open_);
     } else {
-        list_->setVisible(false);
+        closeCell();
     }
+}
+
+void QualityBox::closeCell() {
+    open_.reset();
+    list_->setVisible(false);
+    showPlot();
 }
 
 void QualityBox::openCell(const ConfusionCell& cell) {
@@ -223,6 +232,7 @@ void QualityBox::openCell(const ConfusionCell& cell) {
     }
     said_->setText(matrix_->cellText(cell));
     list_->setVisible(true);
+    showPlot();
     const bool any = !rows.empty();
     list_->show(std::move(rows), tr("No action is in this cell."));
     if (any && other) list_->step(1);
@@ -235,7 +245,8 @@ void QualityBox::showPlot() {
     values.orders = orders_;
     values.mayStop = labels_.progress().mayStop;
     plot_->show(values);
-    plot_->setVisible(!plot_->isEmpty());
+    // Matrix and list need the room while a cell is open.
+    plot_->setVisible(!plot_->isEmpty() && !open_);
     QString text;
     if (const auto gain = orderGain(orders_)) {
         text = tr("%1 labels as asked do what %2 in random order do.")
@@ -247,7 +258,7 @@ void QualityBox::showPlot() {
     }
     if (values.mayStop) text += QLatin1Char(' ') + tr("More labels will hardly help.");
     gain_->setText(text.trimmed());
-    gain_->setVisible(!gain_->text().isEmpty());
+    gain_->setVisible(!gain_->text().isEmpty() && !open_);
 }
 
 }  // namespace kumite::studio

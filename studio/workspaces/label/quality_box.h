@@ -50,6 +50,7 @@ private:
     void showMatrix();
     void showPlot();
     void openCell(const ConfusionCell& cell);
+    void closeCell();
 
     LabelSession& labels_;
     QComboBox* aspects_;
