@@ -10,6 +10,7 @@
 #include "core/project/labelling.h"
 #include "core/project/project_file.h"
 #include "core/project/simulation.h"
+#include "core/project/vocabulary_change.h"
 
 namespace kumite::cli {
 namespace {
@@ -39,6 +40,9 @@ void useVocabulary(OpenProject& open, const Options& o, const Streams& streams) 
     const MappedFile file(o.vocabulary);
     Findings findings;
     const Vocabulary vocabulary = parseVocabulary(file.bytes(), o.vocabulary, &findings);
+    for (const VocabularyLoss& loss : lostBy(open.project, vocabulary)) {
+        findings.push_back(warning(vocabulary.name + " has no word for " + lossText(loss) + "."));
+    }
     printFindings(findings, streams);
     if (auto edit = setVocabulary(open.project, vocabulary))
         open.project = std::move(edit->project);

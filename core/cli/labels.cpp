@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "core/cli/agreement.h"
 #include "core/cli/command.h"
+#include "core/cli/label_queries.h"
 #include "core/project/label_files.h"
 
 namespace kumite::cli {
@@ -17,6 +18,7 @@ struct Options {
     std::string project, take, out, differences;
     std::vector<std::string> compare;
     bool everybody = false, json = false;
+    LabelQuery query;
 };
 
 Json numberOr(const std::optional<double>& value) {
@@ -122,7 +124,8 @@ Json agreementJson(const OpenProject& open, const Agreement& agreement) {
 void addLabels(CLI::App& app, Action& action) {
     auto o = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
-        "labels", "Writes the labels of all labelled actions, or compares two people's.");
+        "labels",
+        "Writes labels, finds actions by them, says how well they are known, compares people.");
     command->add_option("PROJECT", o->project, "a .kumite file")->required();
     auto* out =
         command->add_option("--out", o->out, "file to write: .csv, .json or .eaf (ELAN, one take)");
@@ -138,21 +141,32 @@ void addLabels(CLI::App& app, Action& action) {
         ->add_flag("--everybody", o->everybody,
                    "with --compare: labels of rules and machine count as well")
         ->needs(compared);
-    command->add_flag("--json", o->json, "with --compare: one JSON object on standard output")
-        ->needs(compared);
+    addLabelQueries(*command, o->query);
+    command->add_flag("--json", o->json, "one JSON object on standard output")->excludes(out);
     command->add_option("--take", o->take, "only this take");
     out->excludes(compared);
     command->footer(
         "Examples: kumite labels bout.kumite --out labels.csv\n"
-        "          kumite labels bout.kumite --compare colleague.csv --differences talk.csv");
+        "          kumite labels bout.kumite --compare colleague.csv --differences talk.csv\n"
+        "          kumite labels bout.kumite --filter \"right kick up, machine, below 0.6\"\n"
+        "          kumite labels bout.kumite --similar sparring:1:12\n"
+        "A filter: aspects and qualifiers, by hand, machine or rule, below 0.6, uncertain, player\n"
+        "2, take NAME, after 1:20, unlabelled; all must hold, \"or\" joins two, \"not\" turns one\n"
+        "round (core/labelling/README.md). Actions count from 0.");
     command->callback([o, &action] {
         action = [o](const Streams& streams) {
-            if (o->out.empty() && o->compare.empty()) {
-                throw UsageError("Say what to do: --out FILE or --compare FILE.");
+            const LabelQuery& query = o->query;
+            const int asked = !o->out.empty() + !o->compare.empty() + !query.filter.empty() +
+                              !query.similar.empty() + (query.judge || query.curve);
+            if (asked != 1) {
+                throw UsageError(
+                    "Say one thing to do: --out FILE, --compare FILE, --filter TEXT, --similar "
+                    "ACTION, --judge or --curve.");
             }
             const OpenProject open = openProject(o->project, streams);
             std::optional<int> take;
             if (!o->take.empty()) take = takeNamed(open.project, o->take);
+            if (query.isAsked()) return answerLabelQuery(open, query, o->take, o->json, streams);
             std::vector<std::filesystem::path> sources = {o->project};
             sources.insert(sources.end(), o->compare.begin(), o->compare.end());
             if (!o->differences.empty()) refuseToOverwrite(o->differences, sources);

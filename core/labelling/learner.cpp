@@ -265,10 +265,12 @@ Predictions TrainingSet::predict(const ParameterSet& parameters, bool probabilit
     return predictions;
 }
 
-double TrainingSet::expectedAccuracy(const ParameterSet& parameters,
-                                     const Progress& progress) const {
+std::vector<Label> TrainingSet::crossValidate(const ParameterSet& parameters,
+                                              const Progress& progress) const {
     const Data& data = *data_;
-    if (data.examples.size() < 2) return 0;
+    std::vector<Label> result(data.examples.size(),
+                              Label(data.vocabulary.aspects.size(), kUnknown));
+    if (data.examples.size() < 2) return result;
     std::map<Label, int> names;
     std::vector<int> classes;
     for (const Example& example : data.examples) {
@@ -279,7 +281,6 @@ double TrainingSet::expectedAccuracy(const ParameterSet& parameters,
         stratifiedFolds(classes, data.settings.folds, data.settings.seed);
     KernelCache kernels(data.among);
     const auto aspects = data.vocabulary.aspects.size();
-    int right = 0;
     for (int fold = 0; fold < data.settings.folds; ++fold) {
         progress.update(static_cast<double>(fold) / data.settings.folds);
         std::vector<bool> training(data.examples.size());
@@ -300,17 +301,31 @@ double TrainingSet::expectedAccuracy(const ParameterSet& parameters,
         for (std::size_t i = 0; i < answers.size(); ++i) {
             if (training[i]) continue;
             resolveConflicts(data.vocabulary, answers[i].data());
-            bool same = true;
-            for (std::size_t a = 0; a < aspects; ++a) {
-                const bool learnt = data.vocabulary.aspects[a].classifier == Classifier::Msvm;
-                const int truth = data.examples[i].label[a];
-                same = same && (!learnt || truth == kUnknown || answers[i][a].qualifier == truth);
-            }
-            right += same;
+            for (std::size_t a = 0; a < aspects; ++a)
+                result[i][a] = answers[i][a].qualifier;
         }
     }
     progress.update(1.0);
-    return static_cast<double>(right) / static_cast<double>(data.examples.size());
+    return result;
+}
+
+double TrainingSet::expectedAccuracy(const ParameterSet& parameters,
+                                     const Progress& progress) const {
+    const std::vector<Example>& examples = data_->examples;
+    if (examples.size() < 2) return 0;
+    const std::vector<Label> answers = crossValidate(parameters, progress);
+    int right = 0;
+    for (std::size_t i = 0; i < examples.size(); ++i)
+        right += learntAspectsMatch(data_->vocabulary, examples[i].label, answers[i]);
+    return static_cast<double>(right) / static_cast<double>(examples.size());
+}
+
+bool learntAspectsMatch(const Vocabulary& vocabulary, const Label& truth, const Label& answer) {
+    for (std::size_t a = 0; a < truth.size(); ++a) {
+        const bool learnt = vocabulary.aspects[a].classifier == Classifier::Msvm;
+        if (learnt && truth[a] != kUnknown && answer[a] != truth[a]) return false;
+    }
+    return true;
 }
 
 ParameterSet defaultParameters(const Vocabulary& vocabulary) {

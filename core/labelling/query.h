@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/labelling/features.h"
+#include "core/labelling/distances.h"
 #include "core/labelling/learner.h"
 
 namespace kumite {
@@ -34,11 +34,9 @@ public:
                           const Predictions* predictions = nullptr);
 
 private:
-    std::vector<double> distancesTo(int row) const;
     int mostRepresentative(const std::vector<int>& among, const Eigen::RowVectorXf& covered) const;
 
-    FeatureMatrix rows_;  ///< standardised over all of them
-    FeatureMatrix mirrors_;
+    ActionDistances actions_;
     /// Distance of every row to every reference: every so many rows, at most a thousand.
     FeatureMatrix toReferences_;
     /// How near every row is to what is answered; kept from call to call.

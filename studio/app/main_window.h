@@ -23,10 +23,12 @@ class DocumentPanel;
 class FileActions;
 class GraphCentre;
 class GraphSession;
+class LabelExchange;
 class LabelLanes;
 class LabelPanel;
 class LabelReview;
 class LabelSession;
+class LabelViews;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
@@ -97,6 +99,7 @@ private:
                             const QList<QWidget*>& scopes = {});
     void addBoundaryCommands();
     void addSegmentCommands(SegmentPanel& panel);
+    void addLabelViewCommands(LabelViews& views);
     void addLabelCommands(LabelPanel& panel);
     void showLabelKeys();
     void addGraphWorkspace();
@@ -139,6 +142,7 @@ private:
     QStackedWidget* centres_ = nullptr;
     Workspaces* workspaces_ = nullptr;
     LabelSession* labels_ = nullptr;
+    LabelExchange* exchange_ = nullptr;
     LabelReview* labelReview_ = nullptr;
     LabelLanes* labelLanes_ = nullptr;
     GraphSession* graph_ = nullptr;

@@ -31,10 +31,12 @@
 #include "studio/workspaces/graph/surprise_strip.h"
 #include "studio/workspaces/graph/trace_box.h"
 #include "studio/workspaces/graph/what_if_box.h"
+#include "studio/workspaces/label/label_exchange.h"
 #include "studio/workspaces/label/label_lanes.h"
 #include "studio/workspaces/label/label_panel.h"
 #include "studio/workspaces/label/label_review.h"
 #include "studio/workspaces/label/label_session.h"
+#include "studio/workspaces/label/label_views.h"
 #include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
@@ -48,10 +50,14 @@ void MainWindow::addWorkspaces() {
     labels_ = new LabelSession(session_, this);
     labelReview_ = new LabelReview(*labels_, this);
     labelLanes_ = new LabelLanes(*labels_, *labelReview_, this);
-    auto* label = new LabelPanel(*labelReview_, *commands_, rightPanel_);
+    exchange_ = new LabelExchange(session_, *strip_, this);
+    auto* label = new LabelViews(*labelReview_, *commands_, rightPanel_);
     workspaces_->add({"label", tr("Label"), "label",
                       tr("Say what a few actions are; the machine says it of the rest."), label,
-                      [this, label] { addLabelCommands(*label); }});
+                      [this, label] {
+                          addLabelCommands(label->label());
+                          addLabelViewCommands(*label);
+                      }});
     connect(workspaces_, &Workspaces::changed, this, [this] {
         const bool shown = workspaces_->current() == QLatin1String("label");
         // Once it has been shown it goes on learning.

@@ -92,6 +92,37 @@ TEST_F(LabelCommand, ImportsLearnsAndWrites) {
     EXPECT_NE(all.find(",hand,"), std::string::npos);
 }
 
+TEST_F(LabelCommand, FindsJudgesAndComparesActions) {
+    ASSERT_EQ(kumite({"label", project, "--import", truth}).code, 0);
+    const auto found = json({"labels", project, "--filter", "kick, by hand, player 2", "--json"});
+    ASSERT_GT(found["count"].get<int>(), 0);
+    EXPECT_EQ(found["filter"], "kick · by hand · fighter 2");
+    for (const auto& each : found["actions"]) {
+        EXPECT_EQ(each["player"], 2);
+        EXPECT_EQ(each["source"], "hand");
+        EXPECT_NE(each["label"].get<std::string>().find("kick:"), std::string::npos);
+    }
+    const Result text = kumite({"labels", project, "--filter", "kick, by hand, player 2"});
+    EXPECT_EQ(std::count(text.out.begin(), text.out.end(), '\n'), found["count"].get<int>() + 1);
+
+    const auto& first = found["actions"][0];
+    const std::string name =
+        first["take"].get<std::string>() + ":2:" + std::to_string(first["action"].get<int>());
+    const auto similar =
+        json({"labels", project, "--similar", name, "--count", "4", "--json"})["similar"];
+    ASSERT_EQ(similar.size(), 4u);
+    EXPECT_LE(similar[0]["distance"], similar[3]["distance"]);
+
+    const auto judged = json({"labels", project, "--curve", "--json"});
+    EXPECT_GT(judged["aspects"]["left_punch"]["accuracy"].get<double>(), 0.8);
+    EXPECT_GT(judged["curve"].size(), 3u);
+    EXPECT_EQ(kumite({"labels", project, "--filter", "kik"}).code, 1);
+    EXPECT_EQ(kumite({"labels", project}).code, 2);
+    EXPECT_EQ(kumite({"labels", project, "--similar", "12"}).code, 2);
+    EXPECT_EQ(kumite({"labels", project, "--similar", "none:1:1"}).code, 1);
+    EXPECT_EQ(kumite({"labels", project, "--judge", "--filter", "kick"}).code, 2);
+}
+
 TEST_F(LabelCommand, ComparesAndMergesTwoPeople) {
     ASSERT_EQ(kumite({"label", project, "--import", truth}).code, 0);
     const std::string eaf = (folder / "mine.eaf").string();

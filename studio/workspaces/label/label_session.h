@@ -103,6 +103,8 @@ public:
               Naming naming = Naming::Instead);
     /// A hand says whole labels; aspects that `label` leaves unknown stay as they are.
     bool say(std::span<const int> actions, const Label& label);
+    /// The same with a label of its own for each.
+    bool sayEach(std::span<const std::pair<int, Label>> answers);
     /// A hand agrees with what is shown.
     bool agree(std::span<const int> actions);
     /// Takes back whatever was said or accepted; of one aspect, or of all.

@@ -130,6 +130,17 @@ bool LabelSession::say(std::span<const int> actions, const Label& label) {
     return answer(actions, [&](const ShownAction&) { return label; });
 }
 
+bool LabelSession::sayEach(std::span<const std::pair<int, Label>> answers) {
+    std::vector<ActionAnswer> all;
+    for (const auto& [index, label] : answers) {
+        const ShownAction& action = actions_.at(static_cast<std::size_t>(index));
+        all.push_back({action.fighter, action.index, label});
+    }
+    return edit([&](const Project& project, const Analysis& analysis) {
+        return setLabels(project, analysis, all);
+    });
+}
+
 bool LabelSession::agree(std::span<const int> actions) {
     return answer(actions, [&](const ShownAction& action) {
         return agreedLabel(vocabulary(), action.byHand(), action.label());

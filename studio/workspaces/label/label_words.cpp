@@ -46,6 +46,18 @@ QString probabilityWords(double confidence) {
                           : QStringLiteral("p\u00a0…");
 }
 
+QString sourceWords(LabelSource source) {
+    switch (source) {
+        case LabelSource::Hand:
+            return text("hand");
+        case LabelSource::Rule:
+            return text("rule");
+        case LabelSource::Machine:
+            break;
+    }
+    return text("machine");
+}
+
 QString standingWords(const ShownAspect& aspect) {
     const bool rule = aspect.value.source == LabelSource::Rule;
     const auto confidence = static_cast<double>(aspect.value.confidence);

@@ -16,6 +16,8 @@ class LabelSession;
 QString labelWords(const Vocabulary& vocabulary, const Label& label, bool withRules = false);
 /// "right punch forward"; "no right punch" for the fallback.
 QString aspectWords(const Vocabulary& vocabulary, int aspect, int qualifier);
+/// "hand", "rule", "machine"
+QString sourceWords(LabelSource source);
 /// "by hand", "accepted from the machine, p 0.93", "proposed by a rule".
 QString standingWords(const ShownAspect& aspect);
 /// "p 0.83"; "…" while it is not known.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/labelling/label_filter.h"
 #include "core/labelling/learner.h"
 #include "core/project/project.h"
 
@@ -8,9 +9,6 @@ namespace kumite::studio {
 /// How a value of an aspect stands: nobody spoke, the machine or a rule proposes it, it was
 /// accepted from them, a hand said it.
 enum class Standing { Open, Proposed, Accepted, Hand };
-
-/// From this confidence on a value of the machine deserves no look.
-inline constexpr double kSure = 0.8;
 
 /// One aspect of an action as it is shown: by hand, else as accepted, else as proposed.
 struct ShownAspect {
