@@ -21,9 +21,9 @@ struct TransitionTable {
 
         bool operator==(const Row&) const = default;
     };
-    std::vector<Row> rows;         ///< in order of own, then of opponent nodes
-    Eigen::MatrixXi counts;        ///< how often each next node was seen
-    Eigen::MatrixXd probabilities; ///< each row sums to 1
+    std::vector<Row> rows;          ///< in order of own, then of opponent nodes
+    Eigen::MatrixXi counts;         ///< how often each next node was seen
+    Eigen::MatrixXd probabilities;  ///< each row sums to 1
 };
 
 /// The table with the probabilities of a label term.

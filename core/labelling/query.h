@@ -17,8 +17,8 @@ struct QuerySettings {
     /// are farthest from all labelled ones.
     double explore = 0.2;
     bool mirrored = true;  ///< an action is as near as its mirror image
-    /// Until so many actions are labelled, those are asked that stand for most: margins of a machine
-    /// that has seen a handful lead astray.
+    /// Until so many actions are labelled, those are asked that stand for most: margins of a
+    /// machine that has seen a handful lead astray.
     int start = 20;
 };
 

@@ -47,8 +47,7 @@ double halfWidth(const GraphScene::Edge& edge, std::size_t point) {
 struct Band {
     Path left, right;
 };
-Band bandOf(const GraphScene& scene, const GraphScene::Edge& edge,
-            const Eigen::Vector3d& forward) {
+Band bandOf(const GraphScene& scene, const GraphScene::Edge& edge, const Eigen::Vector3d& forward) {
     const Path path = edgePath(scene, edge);
     Band band;
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -151,9 +150,8 @@ double distanceToPath(const std::vector<QPointF>& path, const QPointF& at) {
         const QPointF along = path[i] - path[i - 1];
         const double length = QPointF::dotProduct(along, along);
         const double share =
-            length > 0
-                ? std::clamp(QPointF::dotProduct(at - path[i - 1], along) / length, 0.0, 1.0)
-                : 0.0;
+            length > 0 ? std::clamp(QPointF::dotProduct(at - path[i - 1], along) / length, 0.0, 1.0)
+                       : 0.0;
         const QPointF way = at - (path[i - 1] + share * along);
         nearest = std::min(nearest, std::hypot(way.x(), way.y()));
     }
@@ -173,8 +171,7 @@ std::vector<Eigen::Vector3d> edgePath(const GraphScene& scene, const GraphScene:
     // sideways where it leads from one plane to the other.
     Eigen::Vector3d side = way.cross(Eigen::Vector3d::UnitZ());
     if (side.norm() < 1e-9) side = way.cross(Eigen::Vector3d::UnitY());
-    const Eigen::Vector3d bend =
-        from.place + 0.5 * way + 0.14 * length * side.normalized();
+    const Eigen::Vector3d bend = from.place + 0.5 * way + 0.14 * length * side.normalized();
     const double begin = std::min(0.45, from.radius / length);
     const double end = 1 - std::min(0.45, (to.radius + 0.004) / length);
     Path path;
@@ -282,10 +279,10 @@ std::vector<GraphName> placeNames(const GraphScene& scene, const CameraControlle
         std::optional<QRectF> room;
         for (const QPointF& corner : corners) {
             const QRectF box(corner, size);
-            const bool free =
-                view.contains(box) &&
-                std::none_of(taken.begin(), taken.end(),
-                             [&](const QRectF& other) { return other.intersects(box); });
+            const bool free = view.contains(box) &&
+                              std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) {
+                                  return other.intersects(box);
+                              });
             if (!free) continue;
             room = box;
             break;
@@ -312,8 +309,7 @@ void paintNames(QPainter& painter, const GraphScene& scene, const CameraControll
         painter.drawText(QRectF(top.x() - 100, std::max(2.0, top.y() - 20), 200, 18),
                          Qt::AlignCenter, ground.caption);
     }
-    const auto names =
-        placeNames(scene, camera, viewport, painter.fontMetrics(), always);
+    const auto names = placeNames(scene, camera, viewport, painter.fontMetrics(), always);
     for (const GraphName& name : names) {
         const GraphScene::Node& node = nodeAt(scene, name.node);
         const double presence = name.node == always ? 1.0 : 0.3 + 0.7 * node.presence;

@@ -43,8 +43,7 @@ std::vector<GraphName> placeNames(const GraphScene& scene, const CameraControlle
                                   std::optional<int> always = {});
 /// Writes names and captions over a picture of the graph.
 void paintNames(QPainter& painter, const GraphScene& scene, const CameraController& camera,
-                const Viewport& viewport, const Colours& colours,
-                std::optional<int> always = {});
+                const Viewport& viewport, const Colours& colours, std::optional<int> always = {});
 
 /// The whole drawing with a painter, for pictures made of lines (SVG).
 void paintGraph(QPainter& painter, const GraphScene& scene, const CameraController& camera,

@@ -108,8 +108,7 @@ struct GraphView::Drawing {
     std::optional<GraphPick> hovered;
 };
 
-GraphView::GraphView(QWidget* parent)
-    : QWidget(parent), drawing_(std::make_unique<Drawing>(this)) {
+GraphView::GraphView(QWidget* parent) : QWidget(parent), drawing_(std::make_unique<Drawing>(this)) {
     setAccessibleName(tr("Graph of transitions"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -226,8 +225,8 @@ void GraphView::mouseMoveEvent(QMouseEvent* event) {
     const QPointF way = event->position() - last_;
     last_ = event->position();
     moved_ = true;
-    const bool pan = flat_ || (event->buttons() & Qt::MiddleButton) ||
-                     (event->modifiers() & Qt::ShiftModifier);
+    const bool pan =
+        flat_ || (event->buttons() & Qt::MiddleButton) || (event->modifiers() & Qt::ShiftModifier);
     if (pan) {
         drawing_->camera.pan(way.x(), way.y(), viewport());
     } else {
@@ -270,7 +269,6 @@ void GraphView::keyPressEvent(QKeyEvent* event) {
         QWidget::keyPressEvent(event);
     }
 }
-
 
 void GraphView::resizeEvent(QResizeEvent*) {
     drawing_->canvas->setGeometry(rect());
