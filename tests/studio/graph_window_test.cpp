@@ -226,7 +226,7 @@ TEST_F(GraphTest, WhatComesNextFollowsThePlayheadUntilAHandAsks) {
     double sum = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         sum += rows[i].product;
-        if (i > 0) EXPECT_GE(rows[i - 1].product, rows[i].product);
+        EXPECT_GE(rows[i == 0 ? 0 : i - 1].product, rows[i].product);
     }
     EXPECT_NEAR(sum, 1, 1e-9);
     EXPECT_TRUE(box.model().hasGeometry()) << "places and poses are known there";
