@@ -36,6 +36,10 @@ QString Command::keysText() const {
     return names.join(QStringLiteral(" · "));
 }
 
+bool Command::isOf(const QString& id) const {
+    return workspace.isEmpty() || workspace.split(QLatin1Char(' ')).contains(id);
+}
+
 CommandTable::CommandTable(QWidget* window) : QObject(window), window_(window) {}
 
 void CommandTable::add(Command command) {
@@ -43,6 +47,7 @@ void CommandTable::add(Command command) {
     auto* action = new QAction(this);
     action->setObjectName(command.id);
     if (command.checked) action->setCheckable(true);
+    action->setAutoRepeat(command.repeats);
     if (command.scopes.isEmpty()) {
         window_->addAction(action);
     } else {
@@ -50,7 +55,8 @@ void CommandTable::add(Command command) {
         for (QWidget* scope : command.scopes)
             scope->addAction(action);
     }
-    connect(action, &QAction::triggered, this, [this, run = command.run] {
+    connect(action, &QAction::triggered, this, [this, id = command.id, run = command.run] {
+        Q_EMIT running(id);
         run();
         refresh();
     });
@@ -60,8 +66,8 @@ void CommandTable::add(Command command) {
     describe(commands_.size() - 1);
 }
 
-void CommandTable::addFor(const QString& workspace, const std::function<void()>& addAll) {
-    const QString before = std::exchange(adding_, workspace);
+void CommandTable::addFor(const QString& workspaces, const std::function<void()>& addAll) {
+    const QString before = std::exchange(adding_, workspaces);
     addAll();
     adding_ = before;
 }
@@ -105,8 +111,7 @@ void CommandTable::run(const QString& id) const {
 }
 
 bool CommandTable::isEnabled(const Command& command) const {
-    const bool offered = command.workspace.isEmpty() || command.workspace == workspace_;
-    return offered && (!command.enabled || command.enabled());
+    return command.isOf(workspace_) && (!command.enabled || command.enabled());
 }
 
 const QList<QKeySequence>& CommandTable::defaultKeys(const QString& id) const {
@@ -121,6 +126,13 @@ void CommandTable::setKeys(const QString& id, const QList<QKeySequence>& keys) {
     Q_EMIT renamed();
 }
 
+void CommandTable::setDefaultKeys(const QString& id, const QList<QKeySequence>& keys) {
+    const std::size_t index = indexOf(id);
+    const bool asBrought = commands_.at(index).keys == defaultKeys_[index];
+    defaultKeys_[index] = keys;
+    if (asBrought) setKeys(id, keys);
+}
+
 void CommandTable::setText(const QString& id, const QString& text) {
     const std::size_t index = indexOf(id);
     if (commands_.at(index).text == text) return;
@@ -132,7 +144,7 @@ void CommandTable::setText(const QString& id, const QString& text) {
 void CommandTable::refresh() {
     for (std::size_t i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
-        actions_[i]->setVisible(command.workspace.isEmpty() || command.workspace == workspace_);
+        actions_[i]->setVisible(command.isOf(workspace_));
         actions_[i]->setEnabled(isEnabled(command));
         if (command.checked) actions_[i]->setChecked(command.checked());
     }

@@ -28,7 +28,12 @@ struct Command {
     QString icon = {};
     /// Its keys work only where one of these or a child has the focus; none: in the whole window.
     QList<QWidget*> scopes = {};
-    QString workspace = {};  ///< id of the workspace that it belongs to; empty: to all
+    /// Ids of the workspaces that it belongs to, separated by blanks; empty: to all.
+    QString workspace = {};
+    bool repeats = true;  ///< runs again and again while its key is held down
+
+    /// Whether it is offered in a workspace.
+    bool isOf(const QString& id) const;
 
     /// The text without the marks that menus need: "Open recordings…".
     QString plainText() const;
@@ -46,9 +51,9 @@ public:
     explicit CommandTable(QWidget* window);
 
     void add(Command command);
-    /// What `addAll` adds belongs to a workspace: it is offered and its keys work only while that
-    /// workspace is shown.
-    void addFor(const QString& workspace, const std::function<void()>& addAll);
+    /// What `addAll` adds belongs to one or several workspaces (ids separated by blanks): it is
+    /// offered and its keys work only while one of them is shown.
+    void addFor(const QString& workspaces, const std::function<void()>& addAll);
     void showWorkspace(const QString& workspace);
 
     /// Null where there is no such command.
@@ -62,6 +67,8 @@ public:
     /// Keys as the studio brings them, and those in force from now on.
     const QList<QKeySequence>& defaultKeys(const QString& id) const;
     void setKeys(const QString& id, const QList<QKeySequence>& keys);
+    /// Other keys as the studio brings them; they are in force unless the user gave others.
+    void setDefaultKeys(const QString& id, const QList<QKeySequence>& keys);
     void setText(const QString& id, const QString& text);
 
     /// Brings enabled and checked states up to date.
@@ -74,6 +81,8 @@ public:
 Q_SIGNALS:
     /// Keys or texts are others now.
     void renamed();
+    /// A command is about to run.
+    void running(const QString& id);
 
 private:
     std::size_t indexOf(const QString& id) const;

@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSplitter>
@@ -26,6 +25,7 @@
 #include "studio/app/key_bindings.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/recent_files.h"
+#include "studio/app/status_line.h"
 #include "studio/app/system_theme.h"
 #include "studio/app/welcome_page.h"
 #include "studio/app/workspaces.h"
@@ -34,6 +34,7 @@
 #include "studio/timeline/transport_bar.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/graph/graph_session.h"
+#include "studio/workspaces/label/label_session.h"
 
 namespace kumite::studio {
 
@@ -91,8 +92,8 @@ MainWindow::MainWindow(QWidget* parent)
     showFindingsCount();
     commands_->refresh();
     refreshTitle();
-    showStatus({});
     restoreLayout();
+    showKeysHint();
     qApp->installEventFilter(this);
 }
 
@@ -142,9 +143,7 @@ void MainWindow::layOut() {
     palette_ = new CommandPalette(*commands_, pages_);
     files_ = new FileActions(session_, *strip_, this);
 
-    status_ = new QLabel(this);
-    status_->setContentsMargins(8, 0, 8, 0);
-    status_->setMinimumWidth(1);
+    status_ = new StatusLine(this);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
     findingsButton_ = new QToolButton(this);
@@ -153,6 +152,7 @@ void MainWindow::layOut() {
     auto* jobs = new JobBar(this);
     jobs->watch(files_->jobs());
     jobs->watch(files_->writing());
+    jobs->watch(files_->exporting());
     jobs->watch(session_.document().jobs());
     statusBar()->addPermanentWidget(jobs);
 }
@@ -169,18 +169,26 @@ void MainWindow::listen() {
         applyPlaybackPreferences();
         pages_->setCurrentWidget(rows_);
         timeline_->setFocus();
-        showStatus({});
+        showKeysHint();
         // The view has its size only after it was laid out.
         QTimer::singleShot(0, stage_, &StageView::frameAll);
     });
     connect(&session_.transport(), &Transport::stateChanged, this, [this] {
         commands_->refresh();
         refreshIcons();
+        showKeysHint();
     });
-    connect(&session_, &Session::selectionChanged, commands_, &CommandTable::refresh);
-    connect(&session_, &Session::hovered, this, &MainWindow::showStatus);
-    connect(&session_, &Session::hinted, this, &MainWindow::showStatus);
-    connect(files_, &FileActions::reported, this, &MainWindow::showStatus);
+    connect(&session_, &Session::selectionChanged, this, [this] {
+        commands_->refresh();
+        showKeysHint();
+    });
+    connect(&session_, &Session::hovered, status_, &StatusLine::setPointer);
+    connect(&session_, &Session::hinted, status_, &StatusLine::say);
+    connect(files_, &FileActions::reported, status_, &StatusLine::say);
+    // What was said before belongs to what was done before.
+    connect(commands_, &CommandTable::running, status_, [this] { status_->say({}); });
+    connect(&session_, &Session::takeChanged, status_, [this] { status_->say({}); });
+    connect(stage_, &StageView::switchesChanged, this, &MainWindow::showKeysHint);
     connect(files_, &FileActions::opened, this, [this](const QStringList& files) {
         rememberFiles(files);
         welcome_->refresh();
@@ -191,12 +199,13 @@ void MainWindow::listen() {
     connect(findingsButton_, &QToolButton::clicked, this, &MainWindow::showFindings);
     connect(systemTheme_, &SystemTheme::changed, this, &MainWindow::followSystemTheme);
     connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
-    connect(workspaces_, &Workspaces::changed, this, [this] { showStatus({}); });
-    connect(commands_, &CommandTable::renamed, this, [this] { showStatus({}); });
+    connect(workspaces_, &Workspaces::changed, this, &MainWindow::showKeysHint);
+    connect(commands_, &CommandTable::renamed, this, &MainWindow::showKeysHint);
 }
 
 bool MainWindow::isBusy() const {
-    return files_->isBusy() || !session_.document().isCurrent() || graph_->isLearning();
+    return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
+           (labels_->isActive() && labels_->isLearning()) || graph_->isLearning();
 }
 
 void MainWindow::shareSpace() {
@@ -234,8 +243,8 @@ void MainWindow::refreshIcons() {
         ->setIcon(lineIcon(QStringLiteral("pause"), coloursFor(palette()).text));
 }
 
-void MainWindow::showStatus(const QString& text) {
-    status_->setText(text.isEmpty() && session_.document().isOpen() ? keysHint() : text);
+void MainWindow::showKeysHint() {
+    status_->setKeys(session_.document().isOpen() ? keysHint() : QString());
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -273,14 +282,33 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         // Undo in a field of a number takes back what the number did, not its digits.
-        const bool inNumber = qobject_cast<QAbstractSpinBox*>(watched) != nullptr ||
-                              qobject_cast<QAbstractSpinBox*>(watched->parent()) != nullptr;
-        if (inNumber && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+        auto* number = qobject_cast<QAbstractSpinBox*>(watched);
+        if (number == nullptr) number = qobject_cast<QAbstractSpinBox*>(watched->parent());
+        if (number != nullptr &&
+            (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+            event->ignore();
+            return true;
+        }
+        if (number != nullptr && goesToCommands(*number, *key)) {
+            // The number is done: the keys that follow belong to the command, too.
+            timeline_->setFocus();
             event->ignore();
             return true;
         }
     }
     return QMainWindow::eventFilter(watched, event);
+}
+
+bool MainWindow::goesToCommands(const QWidget& field, const QKeyEvent& key) const {
+    // A number has no letters.
+    const bool letter =
+        key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z && !(key.modifiers() & ~Qt::ShiftModifier);
+    if (!letter || field.window() != this) return false;
+    const QKeySequence pressed(key.keyCombination());
+    const auto& all = commands_->commands();
+    return std::any_of(all.begin(), all.end(), [&](const Command& command) {
+        return command.keys.contains(pressed) && commands_->isEnabled(command);
+    });
 }
 
 }  // namespace kumite::studio

@@ -10,7 +10,7 @@
 #include "studio/app/preferences_dialog.h"
 #include "studio/app/session.h"
 
-class QLabel;
+class QKeyEvent;
 class QSplitter;
 class QStackedWidget;
 class QToolButton;
@@ -23,9 +23,16 @@ class DocumentPanel;
 class FileActions;
 class GraphCentre;
 class GraphSession;
+class LabelExchange;
+class LabelLanes;
+class LabelPanel;
+class LabelReview;
+class LabelSession;
+class LabelViews;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
+class StatusLine;
 class SystemTheme;
 class TimelineView;
 class TransportBar;
@@ -56,6 +63,8 @@ public:
     FindingsLog& findings() { return findings_; }
     GraphSession& graph() { return *graph_; }
     GraphCentre& graphCentre() { return *graphCentre_; }
+    LabelSession& labels() { return *labels_; }
+    LabelReview& labelReview() { return *labelReview_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
 
@@ -84,7 +93,15 @@ private:
     void addEditCommands();
     void addTakeCommands();
     void addWorkspaces();
+    /// Of the menu Segment.
+    void addBoundaryCommand(const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            std::function<void()> run, bool newGroup = false,
+                            const QList<QWidget*>& scopes = {});
+    void addBoundaryCommands();
     void addSegmentCommands(SegmentPanel& panel);
+    void addLabelViewCommands(LabelViews& views);
+    void addLabelCommands(LabelPanel& panel);
+    void showLabelKeys();
     void addGraphWorkspace();
     void addPlaybackCommands();
     void addTimelineCommands();
@@ -100,8 +117,9 @@ private:
     void followSystemTheme();
     void refreshTitle();
     void refreshIcons();
-    void showStatus(const QString& text);
+    void showKeysHint();
     QString keysHint() const;
+    bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();
     void changeSpeed(int direction);
     void stepTake(int direction);
@@ -123,6 +141,10 @@ private:
     QStackedWidget* rightPanel_ = nullptr;
     QStackedWidget* centres_ = nullptr;
     Workspaces* workspaces_ = nullptr;
+    LabelSession* labels_ = nullptr;
+    LabelExchange* exchange_ = nullptr;
+    LabelReview* labelReview_ = nullptr;
+    LabelLanes* labelLanes_ = nullptr;
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;
@@ -131,7 +153,7 @@ private:
     TimelineView* timeline_ = nullptr;
     MessageStrip* strip_ = nullptr;
     FileActions* files_ = nullptr;
-    QLabel* status_ = nullptr;
+    StatusLine* status_ = nullptr;
     QToolButton* findingsButton_ = nullptr;
     QPointer<QDialog> keysPage_;
     QPointer<PreferencesDialog> preferencesDialog_;

@@ -22,6 +22,7 @@
 #include "studio/app/system_theme.h"
 #include "studio/app/workspaces.h"
 #include "studio/jobs/job_bar.h"
+#include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/graph/graph_centre.h"
 #include "studio/workspaces/graph/graph_commands.h"
@@ -30,6 +31,12 @@
 #include "studio/workspaces/graph/surprise_strip.h"
 #include "studio/workspaces/graph/trace_box.h"
 #include "studio/workspaces/graph/what_if_box.h"
+#include "studio/workspaces/label/label_exchange.h"
+#include "studio/workspaces/label/label_lanes.h"
+#include "studio/workspaces/label/label_panel.h"
+#include "studio/workspaces/label/label_review.h"
+#include "studio/workspaces/label/label_session.h"
+#include "studio/workspaces/label/label_views.h"
 #include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
@@ -39,6 +46,25 @@ void MainWindow::addWorkspaces() {
     workspaces_->add({"segment", tr("Segment"), "segment",
                       tr("Correct the boundaries that cut the bout into actions."), segment,
                       [this, segment] { addSegmentCommands(*segment); }});
+    commands_->addFor(QStringLiteral("segment label"), [this] { addBoundaryCommands(); });
+    labels_ = new LabelSession(session_, this);
+    labelReview_ = new LabelReview(*labels_, this);
+    labelLanes_ = new LabelLanes(*labels_, *labelReview_, this);
+    exchange_ = new LabelExchange(session_, *strip_, this);
+    auto* label = new LabelViews(*labelReview_, *commands_, rightPanel_);
+    workspaces_->add({"label", tr("Label"), "label",
+                      tr("Say what a few actions are; the machine says it of the rest."), label,
+                      [this, label] {
+                          addLabelCommands(label->label());
+                          addLabelViewCommands(*label);
+                      }});
+    connect(workspaces_, &Workspaces::changed, this, [this] {
+        const bool shown = workspaces_->current() == QLatin1String("label");
+        // Once it has been shown it goes on learning.
+        if (shown) labels_->setActive(true);
+        timeline_->setLanes(shown ? labelLanes_ : nullptr);
+        if (!spaceShared_) shareSpace();
+    });
     addGraphWorkspace();
     workspaces_->addSwitchCommands(tr("&View"));
 }
@@ -159,23 +185,40 @@ QString MainWindow::keysHint() const {
     struct Entry {
         QStringList commands;
         QString text;
+        bool holds = true;
     };
+    const bool playing = session_.transport().isPlaying();
+    const bool measuring = stage_->isMeasuring();
+    const bool boundary = session_.selection().has_value();
+    const bool action = session_.selectedAction().has_value();
     const QList<Entry> entries = {
-        {{"transport.play"}, tr("play")},
-        {{"review.next"}, tr("next suspect")},
-        {{"review.accept"}, tr("keep")},
-        {{"review.reject"}, tr("remove")},
-        {{"graph.nextSurprise"}, tr("next surprise")},
-        {{"graph.play"}, tr("play what is behind")},
-        {{"graph.view"}, tr("matrix or graph")},
+        {{"view.previousJoint", "view.nextJoint"}, tr("joint"), measuring},
+        {{"view.takeJoint"}, tr("measure from or to it"), measuring},
+        {{"fighter.other"}, tr("other fighter"), measuring},
+        {{"view.leaveMeasuring"}, tr("leave measuring"), measuring},
+        {{"transport.play"}, playing ? tr("pause") : tr("play")},
+        {{"review.next"}, tr("next suspect"), !measuring},
+        {{"review.accept"}, tr("keep"), boundary && !measuring},
+        {{"review.reject"}, tr("remove"), boundary && !measuring},
+        {{"action.previous", "action.next"}, tr("action"), action && !measuring},
+        {{"action.note"}, tr("note"), action && !measuring},
+        {{"label.next"}, tr("next question"), !measuring},
+        {{"label.accept"}, tr("accept"), !measuring},
+        {{"label.reject"}, tr("second best"), !measuring},
+        {{"label.laneUp", "label.laneDown"}, tr("lane"), !measuring},
+        {{"label.class1"}, tr("… its classes"), !measuring},
+        {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
+        {{"graph.play"}, tr("play what is behind"), !measuring},
+        {{"graph.view"}, tr("matrix or graph"), !measuring},
         {{"transport.back", "transport.on"}, tr("frame")},
-        {{"boundary.previous", "boundary.next"}, tr("boundary")},
-        {{"boundary.add"}, tr("add")},
-        {{"app.palette"}, tr("any command")},
-        {{"help.keys"}, tr("all keys")},
+        {{"boundary.previous", "boundary.next"}, tr("boundary"), !measuring},
+        {{"boundary.add"}, tr("add"), !measuring && !boundary},
+        {{"app.palette"}, tr("any command"), !measuring},
+        {{"help.keys"}, tr("all keys"), !measuring},
     };
     QStringList parts;
     for (const Entry& entry : entries) {
+        if (!entry.holds) continue;
         QStringList keys;
         for (const QString& id : entry.commands) {
             const Command* command = commands_->find(id);

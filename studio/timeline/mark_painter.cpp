@@ -105,7 +105,7 @@ void MarkPainter::paintActions(const Track& track, int player) {
         if (width > 44) {
             painter_.setPen(colours_.text);
             painter_.drawText(block.adjusted(5, 0, -3, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                              QString::number(index + 1));
+                              QString::number(index));
         }
     }
     for (const ActionNote& note : fighter.input.notes) {
@@ -303,6 +303,9 @@ void MarkPainter::paintSelection(const Track& track, const ActionRef& action) {
     painter_.setPen(QPen(colours_.accent, 1.5));
     painter_.setBrush(Qt::NoBrush);
     painter_.drawRect(QRectF(left, track.strip().top(), right - left, track.strip().height()));
+    const QRectF lanes = track.lanes().area;
+    if (!lanes.isEmpty())
+        painter_.drawRect(QRectF(left, lanes.top(), right - left, lanes.height()));
 }
 
 void MarkPainter::paintSelection(const Track& track, const BoundaryRef& boundary) {

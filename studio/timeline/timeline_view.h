@@ -14,6 +14,7 @@
 
 namespace kumite::studio {
 
+class LaneSource;
 class NoteField;
 
 /// The timeline: a ruler and one row per fighter with curves, minima, boundaries and actions.
@@ -35,6 +36,11 @@ public:
     /// Where an action's block is; empty where it is not visible.
     QRectF blockOf(const ActionRef& action) const;
 
+    /// Whether curves are still being made.
+    bool isPreparing() const { return preparing_.isRunning(); }
+    /// Lanes under the actions; null: none. Lives longer than it is shown.
+    void setLanes(LaneSource* lanes);
+
     const TimelineOptions& options() const { return options_; }
     void setOptions(const TimelineOptions& options);
     /// Opens the field for the current action's note.
@@ -55,7 +61,7 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    enum class Gesture { None, Scrub, Pan, Press, Drag, Loop };
+    enum class Gesture { None, Scrub, Pan, Press, Drag, Loop, Lanes };
     struct Dragged {
         BoundaryRef boundary;
         int frame = 0;  ///< where it would stand
@@ -66,6 +72,7 @@ private:
     void layOut();
     int speedRows() const;
     void refresh();
+    void prepareCurves();
     void invalidate();
     void paintStill(QPainter& painter);
     void paintMoving(QPainter& painter);
@@ -80,8 +87,17 @@ private:
     void endDrag(bool commit);
     std::vector<SnapTarget> snapTargets(int player) const;
     std::optional<ActionRef> blockAt(const QPointF& position) const;
+    /// The action under a position on the strip or on the lanes, and the lane (-1: the strip).
+    struct LaneHit {
+        ActionRef action;
+        int lane = -1;
+    };
+    std::optional<LaneHit> laneHitAt(const QPointF& position) const;
+    bool pressLanes(const QMouseEvent& event);
+    void dragLanes(const QPointF& position);
     bool event(QEvent* event) override;
     void hover(const QPointF& position);
+    void hoverAgain();
     QString describe(int player, double seconds) const;
 
     Session& session_;
@@ -96,7 +112,10 @@ private:
     std::optional<Dragged> dragged_;
     LoopEnd loopEnd_ = LoopEnd::In;
     TimelineOptions options_;
+    JobRunner preparing_;
     NoteField* note_;
+    LaneSource* lanes_ = nullptr;
+    std::optional<ActionRef> laneDragged_;  ///< the action that the pointer was dragged over last
 };
 
 }  // namespace kumite::studio

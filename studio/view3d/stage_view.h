@@ -35,6 +35,9 @@ public:
 
     /// Shows the whole area that the take covers.
     void frameAll();
+    /// Shows both fighters as they are from one moment to another (seconds on the take's clock);
+    /// turns to the side where one would hide the other.
+    void frameFighters(double begin, double end);
     /// Shows the active fighter as it stands now.
     void frameActiveFighter();
     void lookFromFront();
@@ -59,6 +62,15 @@ public:
     /// The measured distance now, metres; nothing until two joints were chosen.
     std::optional<double> measuredDistance() const;
     const Measuring& measuring() const;
+    /// Points to the next (+1) or previous (-1) joint of the active fighter, named joints first;
+    /// begins to measure if it did not.
+    void stepJoint(int direction);
+    /// What a click on the joint that is pointed to would do.
+    void takeJoint();
+    /// What is measured now, in words: joint and speed, distance; empty where there is nothing.
+    QString measuredText() const;
+    /// How to measure; shown while the tool is on.
+    void setMeasuringHint(const QString& hint);
 
     /// Where a joint is drawn, in the view's pixels; nothing where there is no such joint or it
     /// lies behind the camera.
@@ -94,6 +106,8 @@ private:
     void showColours();
     void showLabels();
     void showCaption();
+    void tellMeasured();
+    void pointToOtherFighter();
     void applyCamera();
     void follow();
     void placeOverlays();
@@ -101,6 +115,7 @@ private:
     void activateFighterAt(const QPointF& position);
     void hoverAt(const QPointF& position);
     std::optional<JointRef> jointUnder(const QPointF& position) const;
+    QString jointText(const JointRef& joint, bool withSpeed) const;
     std::optional<Eigen::Vector3d> jointPlace(const JointRef& joint) const;
     std::array<const FighterAnalysis*, 2> fighters() const;
     Viewport viewport() const;
@@ -117,6 +132,8 @@ private:
     QPointF pressed_;
     bool dragged_ = false;
     double mouseSpeed_ = 1;
+    QString measuringHint_;
+    QString told_;  ///< of what is measured
 };
 
 }  // namespace kumite::studio

@@ -1,4 +1,4 @@
-// What the mouse does in the 3D view, and what is written over its picture.
+// What the mouse does in the 3D view, and what is marked over its picture.
 
 #include <QMouseEvent>
 #include <QWheelEvent>
@@ -6,67 +6,10 @@
 #include <cmath>
 
 #include "studio/app/session.h"
-#include "studio/app/words.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_scene.h"
 
 namespace kumite::studio {
-
-namespace {
-
-/// "left wrist" where the joint has a role, else its name in the file.
-QString jointText(const FighterAnalysis& fighter, int joint) {
-    for (const Role role : allRoles()) {
-        if (fighter.input.roles[role] != joint) continue;
-        return QString::fromLatin1(roleName(role).data(), qsizetype(roleName(role).size()))
-            .replace(QLatin1Char('_'), QLatin1Char(' '));
-    }
-    const auto& joints = fighter.input.motion->skeleton->joints;
-    return QString::fromStdString(joints[static_cast<std::size_t>(joint)].name);
-}
-
-}  // namespace
-
-bool StageView::isMeasuring() const {
-    return scene_->measuring.isOn;
-}
-
-const Measuring& StageView::measuring() const {
-    return scene_->measuring;
-}
-
-void StageView::setMeasuring(bool on) {
-    scene_->measuring = Measuring{};
-    scene_->measuring.isOn = on;
-    setMouseTracking(on);
-    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
-    showLabels();
-    Q_EMIT session_.hovered({});
-    Q_EMIT switchesChanged();
-}
-
-std::optional<Eigen::Vector3d> StageView::jointPlace(const JointRef& joint) const {
-    const auto& joints = scene_->poses[static_cast<std::size_t>(joint.player)].joints;
-    if (joint.joint < 0 || joint.joint >= static_cast<int>(joints.size())) return std::nullopt;
-    return joints[static_cast<std::size_t>(joint.joint)].cast<double>();
-}
-
-std::optional<QPointF> StageView::jointPosition(const JointRef& joint) const {
-    const auto place = jointPlace(joint);
-    if (!place) return std::nullopt;
-    const Eigen::Vector3d at = scene_->camera.project(*place, viewport());
-    if (at.z() <= 0) return std::nullopt;
-    return QPointF(at.x(), at.y());
-}
-
-std::optional<double> StageView::measuredDistance() const {
-    const Measuring& measuring = scene_->measuring;
-    if (!measuring.from || !measuring.to) return std::nullopt;
-    const auto from = jointPlace(*measuring.from);
-    const auto to = jointPlace(*measuring.to);
-    if (!from || !to) return std::nullopt;
-    return (*from - *to).norm();
-}
 
 void StageView::showLabels() {
     StageMarks marks;
@@ -87,18 +30,11 @@ void StageView::showLabels() {
         marks.points.push_back({*from, {}});
     }
     if (measuring.hovered) {
-        const JointRef& joint = *measuring.hovered;
-        const FighterAnalysis* fighter = session_.fighter(joint.player);
-        const auto at = jointPosition(joint);
-        if (fighter != nullptr && at) {
-            const float speed = jointSpeed(fighter->motion->positions, joint.joint,
-                                           session_.shownFrame(joint.player), fighter->input.rate);
-            marks.points.push_back(
-                {*at, tr("%1   %2 m/s")
-                          .arg(jointText(*fighter, joint.joint), QString::number(speed, 'f', 1))});
-        }
+        const auto at = jointPosition(*measuring.hovered);
+        if (at) marks.points.push_back({*at, jointText(*measuring.hovered, true)});
     }
     scene_->labels->show(std::move(marks));
+    if (isMeasuring()) tellMeasured();
 }
 
 std::optional<JointRef> StageView::jointUnder(const QPointF& position) const {
@@ -123,10 +59,6 @@ void StageView::hoverAt(const QPointF& position) {
     if (joint == measuring.hovered) return;
     measuring.hovered = joint;
     showLabels();
-    const auto& points = scene_->labels->marks().points;
-    Q_EMIT session_.hovered(joint && !points.empty()
-                                ? tr("%1: %2").arg(fighterText(joint->player), points.back().text)
-                                : QString());
 }
 
 void StageView::mousePressEvent(QMouseEvent* event) {
@@ -167,7 +99,6 @@ void StageView::leaveEvent(QEvent*) {
     if (!scene_->measuring.hovered) return;
     scene_->measuring.hovered.reset();
     showLabels();
-    Q_EMIT session_.hovered({});
 }
 
 void StageView::wheelEvent(QWheelEvent* event) {

@@ -79,24 +79,6 @@ TEST_F(WindowTest, KeysOfTheWindowDoWhatHandsExpect) {
     EXPECT_TRUE(window_->documentPanel().isVisible());
 }
 
-TEST_F(WindowTest, ArrowKeysWorkWhereverTheFocusIs) {
-    openBout();
-    for (auto* button : window_->findChildren<QToolButton*>()) {
-        if (!button->isVisible() || button->focusPolicy() == Qt::NoFocus) continue;
-        button->setFocus();
-        press(Qt::Key_Home);
-        QTest::keyClick(button, Qt::Key_Right);
-        EXPECT_EQ(session().shownFrame(0), 1) << button->accessibleName().toStdString();
-    }
-    for (auto* list : window_->findChildren<QAbstractItemView*>()) {
-        if (!list->isVisible()) continue;
-        list->setFocus();
-        press(Qt::Key_Home);
-        QTest::keyClick(list, Qt::Key_Right);
-        EXPECT_EQ(session().shownFrame(0), 1) << list->accessibleName().toStdString();
-    }
-}
-
 TEST_F(WindowTest, UndoInAFieldOfANumberUndoesTheEdit) {
     openBout();
     QDoubleSpinBox* field = nullptr;
