@@ -86,6 +86,11 @@ void MainWindow::addGraphWorkspace() {
                           addGraphCommands(*commands_, *graph_, *graphCentre_, views);
                       },
                       graphCentre_});
+    graphCentre_->addStep(tr("Label actions"), tr("Go to the Label workspace"),
+                          [this] { workspaces_->show(QStringLiteral("label")); });
+    graphCentre_->addStep(tr("Take over labels…"),
+                          tr("From a table of labels, or a made bout's truth"),
+                          [this] { exchange_->askForImport(); });
     const auto follow = [this, strip] {
         graph_->setActive(workspaces_->current() == QLatin1String("graph"));
         strip->setVisible(graph_->isActive() && graph_->hasGraph());

@@ -1,6 +1,5 @@
 #include "studio/workspaces/graph/graph_centre.h"
 
-#include <QAction>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -11,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include <array>
+#include <utility>
 
 #include "studio/app/words.h"
 #include "studio/workspaces/graph/matrix_page.h"
@@ -138,12 +138,12 @@ QWidget* GraphCentre::makeEmptyPage() {
     return page;
 }
 
-void GraphCentre::addStep(QAction* step) {
-    auto* button = new QPushButton(step->text().remove(QLatin1Char('&')), this);
-    button->setToolTip(step->toolTip());
-    connect(button, &QPushButton::clicked, step, &QAction::trigger);
+void GraphCentre::addStep(const QString& text, const QString& tip, std::function<void()> run) {
+    auto* button = new QPushButton(text, this);
+    button->setToolTip(tip);
+    if (steps_->count() == 2) button->setProperty("role", "step");
+    connect(button, &QPushButton::clicked, this, std::move(run));
     steps_->insertWidget(steps_->count() - 1, button);
-    if (steps_->count() == 3) button->setProperty("role", "step");
 }
 
 bool GraphCentre::showsMatrix() const {

@@ -2,9 +2,10 @@
 
 #include <QWidget>
 
+#include <functional>
+
 #include "studio/workspaces/graph/graph_session.h"
 
-class QAction;
 class QButtonGroup;
 class QComboBox;
 class QHBoxLayout;
@@ -31,7 +32,7 @@ public:
     bool showsMatrix() const;
     void showMatrix(bool matrix);
     /// Offers a step where there is nothing to show.
-    void addStep(QAction* step);
+    void addStep(const QString& text, const QString& tip, std::function<void()> run);
 
 private:
     QWidget* makeHeader();

@@ -1,5 +1,7 @@
 #include "studio/workspaces/graph/graph_session.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 
 namespace kumite::studio {
@@ -16,7 +18,9 @@ GraphValues learnt(const Project& project, const Analysis& analysis, const Graph
         deriveInteraction(project, analysis, settings, last ? last->interaction : Interaction{},
                           progress.part(0, 0.5));
     if (const auto why = whyNoModel(project, values.interaction)) {
-        values.whyNothing = QString::fromStdString(*why);
+        // The window offers its own steps.
+        static const QRegularExpression commands(QStringLiteral(" \\(kumite [^)]*\\)"));
+        values.whyNothing = QString::fromStdString(*why).remove(commands);
     }
     const bool same = last && last->interaction.graph == values.interaction.graph;
     for (const std::size_t mover : {0U, 1U}) {
@@ -79,7 +83,7 @@ bool operator==(const GraphSelection& a, const GraphSelection& b) {
            a.filter.opponent == b.filter.opponent && a.filter.next == b.filter.next;
 }
 
-QString labelWords(const Vocabulary& vocabulary, const Label& label) {
+QString shortLabelWords(const Vocabulary& vocabulary, const Label& label) {
     QStringList words;
     for (int a = 0; a < vocabulary.size() && a < static_cast<int>(label.size()); ++a) {
         const Aspect& aspect = vocabulary[a];
@@ -182,7 +186,7 @@ void GraphSession::take(GraphValues values) {
 
 QString GraphSession::nameOf(int player, int node) const {
     if (node == kAnyNode) return tr("anything");
-    return labelWords(*graph().vocabulary, graph().node(player, node).label);
+    return shortLabelWords(*graph().vocabulary, graph().node(player, node).label);
 }
 
 void GraphSession::setOptions(const GraphOptions& options) {

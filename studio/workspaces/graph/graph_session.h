@@ -151,8 +151,8 @@ private:
     bool stale_ = true;  ///< the document changed since the values were learnt
 };
 
-/// A label in the fewest words that tell it: "right punch fwd, L-R".
-QString labelWords(const Vocabulary& vocabulary, const Label& label);
+/// A label in the fewest words that tell it, for tables and drawings: "right punch fwd, L-R".
+QString shortLabelWords(const Vocabulary& vocabulary, const Label& label);
 
 /// The project with the labels of hands alone.
 Project withHandLabels(const Project& project);

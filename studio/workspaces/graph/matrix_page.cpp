@@ -165,10 +165,10 @@ QString MatrixPage::rowName(const TablePairing::Place& place) const {
     const Vocabulary& words = *side.graph->vocabulary;
     QStringList parts;
     if (row.own != kAnyNode) {
-        parts.append(labelWords(words, side.graph->node(side.mover, row.own).label));
+        parts.append(shortLabelWords(words, side.graph->node(side.mover, row.own).label));
     }
     if (row.opponent != kAnyNode) {
-        parts.append(labelWords(words, side.graph->node(1 - side.mover, row.opponent).label));
+        parts.append(shortLabelWords(words, side.graph->node(1 - side.mover, row.opponent).label));
     }
     return parts.join(QStringLiteral(" | "));
 }
@@ -176,7 +176,7 @@ QString MatrixPage::rowName(const TablePairing::Place& place) const {
 QString MatrixPage::columnName(const TablePairing::Place& place) const {
     const Side& side = sides_[place.first >= 0 ? 0 : 1];
     const int node = place.first >= 0 ? place.first : place.second;
-    return labelWords(*side.graph->vocabulary, side.graph->node(side.mover, node).label);
+    return shortLabelWords(*side.graph->vocabulary, side.graph->node(side.mover, node).label);
 }
 
 MatrixTable MatrixPage::tableOf(int number) const {
