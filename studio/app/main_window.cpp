@@ -19,6 +19,7 @@
 #include <algorithm>
 
 #include "studio/app/command_palette.h"
+#include "studio/app/command_words.h"
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
@@ -75,11 +76,13 @@ MainWindow::MainWindow(QWidget* parent)
     addPlaybackCommands();
     addTimelineCommands();
     addViewCommands();
+    addCommandWords(*commands_);
     loadKeys(*commands_);
     refreshIcons();
     commands_->fillMenus(menuBar());
     layOutTopBar();
     documentPanel_->addCommands(*commands_);
+    addContextMenus();
     auto* box = static_cast<QVBoxLayout*>(timelineBox_->layout());
     box->insertWidget(0, new TransportBar(session_, *commands_, timelineBox_));
     welcome_ = new WelcomePage(*commands_, pages_);
@@ -200,7 +203,7 @@ void MainWindow::shareSpace() {
     const int timeline = std::max(std::clamp(height / 4, 176, 300), wished);
     rows_->setSizes({height - timeline - 1, timeline});
     const int left = width() < 1600 ? 136 : 176;
-    const int right = width() < 1600 ? 224 : 256;
+    const int right = width() < 1600 ? 232 : 264;
     columns_->setSizes({left, width() - left - right - 2, right});
 }
 
