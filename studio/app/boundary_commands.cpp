@@ -119,6 +119,8 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
     add(
         "review.again", tr("De&cide anew"), {QKeySequence("Shift+Return")},
         [this] { reviewAgain(session_); }, false, views);
+    commands_->offerMenu(panel.list(), {"review.accept", "review.reject", "review.again", "-",
+                                        "review.next", "review.previous", "-", "view.selection"});
     CompareBox& compare = panel.comparison();
     commands_->add({"segment.compare",
                     QLatin1Char('-') + segment,
@@ -127,6 +129,7 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
                     [&compare] { compare.setOn(!compare.isOn()); },
                     has,
                     [&compare] { return compare.isOn(); }});
+    panel.tellKeys(*commands_);
     connect(&compare, &CompareBox::toggled, commands_, &CommandTable::refresh);
 }
 

@@ -1,5 +1,6 @@
 #include "studio/app/commands.h"
 
+#include <QAbstractScrollArea>
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
@@ -82,11 +83,8 @@ void CommandTable::describe(std::size_t index) {
     QAction* action = actions_[index];
     action->setText(command.text);
     action->setShortcuts(command.keys);
-    QString tip = command.plainText().remove(QStringLiteral("…"));
-    if (!command.keys.isEmpty()) {
-        tip += QStringLiteral(" (%1)").arg(command.keys.front().toString(QKeySequence::NativeText));
-    }
-    action->setToolTip(tip);
+    action->setShortcutVisibleInContextMenu(true);
+    action->setToolTip(withKey(command.plainText().remove(QStringLiteral("…")), command.id));
 }
 
 std::size_t CommandTable::indexOf(const QString& id) const {
@@ -141,6 +139,25 @@ void CommandTable::setText(const QString& id, const QString& text) {
     Q_EMIT renamed();
 }
 
+void CommandTable::setWords(const QString& id, const QString& words) {
+    commands_.at(indexOf(id)).words = words;
+}
+
+QString CommandTable::withKey(const QString& tip, const QString& id) const {
+    const QList<QKeySequence>& keys = commands_.at(indexOf(id)).keys;
+    if (keys.isEmpty()) return tip;
+    return QStringLiteral("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText));
+}
+
+void CommandTable::tellKey(QWidget* widget, const QString& id) {
+    widget->setProperty("command", id);
+    const auto tell = [this, widget, id, tip = widget->toolTip()] {
+        widget->setToolTip(tip.isEmpty() ? action(id)->toolTip() : withKey(tip, id));
+    };
+    tell();
+    connect(this, &CommandTable::renamed, widget, tell);
+}
+
 void CommandTable::refresh() {
     for (std::size_t i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
@@ -190,6 +207,28 @@ QMenu* CommandTable::menu(const QString& title) const {
         if (menu->title() == title) return menu;
     }
     return nullptr;
+}
+
+void CommandTable::popUp(const QStringList& ids, const QPoint& at) {
+    refresh();
+    auto* menu = new QMenu(window_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const QString& id : ids) {
+        if (id == QLatin1String("-")) {
+            menu->addSeparator();
+        } else {
+            menu->addAction(action(id));
+        }
+    }
+    menu->popup(at);
+}
+
+void CommandTable::offerMenu(QWidget* widget, const QStringList& ids) {
+    widget->setContextMenuPolicy(Qt::CustomContextMenu);
+    auto* area = qobject_cast<QAbstractScrollArea*>(widget);
+    const QWidget* shown = area ? area->viewport() : widget;
+    connect(widget, &QWidget::customContextMenuRequested, this,
+            [this, shown, ids](const QPoint& at) { popUp(ids, shown->mapToGlobal(at)); });
 }
 
 }  // namespace kumite::studio

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <vector>
@@ -34,6 +35,7 @@ struct Command {
 
     /// Whether it is offered in a workspace.
     bool isOf(const QString& id) const;
+    QString words = {};  ///< other words that people look for it by: "delete, cut"
 
     /// The text without the marks that menus need: "Open recordings…".
     QString plainText() const;
@@ -70,6 +72,12 @@ public:
     /// Other keys as the studio brings them; they are in force unless the user gave others.
     void setDefaultKeys(const QString& id, const QList<QKeySequence>& keys);
     void setText(const QString& id, const QString& text);
+    void setWords(const QString& id, const QString& words);
+    /// A tip that names the first key in force of a command, if it has one: "Keep it (Return)".
+    QString withKey(const QString& tip, const QString& id) const;
+    /// Has the widget's tip, or the command's if it has none, name the command's key from now on,
+    /// whatever the key becomes.
+    void tellKey(QWidget* widget, const QString& id);
 
     /// Brings enabled and checked states up to date.
     void refresh();
@@ -77,6 +85,11 @@ public:
     void refreshIcons();
     void fillMenus(QMenuBar* bar);
     QMenu* menu(const QString& title) const;
+    /// Shows some commands at a point of the screen; "-" begins a new group. Commands of other
+    /// workspaces are left out.
+    void popUp(const QStringList& ids, const QPoint& at);
+    /// The same as the context menu of a widget that needs nothing done before.
+    void offerMenu(QWidget* widget, const QStringList& ids);
 
 Q_SIGNALS:
     /// Keys or texts are others now.

@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include "studio/app/command_palette.h"
+#include "studio/app/command_words.h"
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
@@ -77,11 +78,13 @@ MainWindow::MainWindow(QWidget* parent)
     addPlaybackCommands();
     addTimelineCommands();
     addViewCommands();
+    addCommandWords(*commands_);
     loadKeys(*commands_);
     refreshIcons();
     commands_->fillMenus(menuBar());
     layOutTopBar();
     documentPanel_->addCommands(*commands_);
+    addContextMenus();
     auto* box = static_cast<QVBoxLayout*>(timelineBox_->layout());
     box->insertWidget(0, new TransportBar(session_, *commands_, timelineBox_));
     welcome_ = new WelcomePage(*commands_, pages_);
@@ -216,7 +219,7 @@ void MainWindow::shareSpace() {
     const int timeline = std::max(std::clamp(height / 4, 176, 300), wished);
     rows_->setSizes({height - timeline - 1, timeline});
     const int left = width() < 1600 ? 136 : 176;
-    const int right = width() < 1600 ? 224 : 256;
+    const int right = width() < 1600 ? 232 : 264;
     const int middle = width() - left - right - 2;
     columns_->setSizes({left, middle, right});
     content_->setSizes({2 * middle / 5, middle - 2 * middle / 5});

@@ -106,6 +106,7 @@ private:
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
+    void addContextMenus();
     void layOut();
     void layOutTopBar();
     void listen();

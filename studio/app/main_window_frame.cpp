@@ -107,15 +107,15 @@ void MainWindow::layOutTopBar() {
     row->addWidget(new WorkspaceBar(*workspaces_, bar));
     auto* run = new QToolButton(bar);
     run->setProperty("role", "small");
-    run->setFocusPolicy(Qt::NoFocus);
+    run->setFocusPolicy(Qt::TabFocus);
     QAction* action = commands_->action("app.palette");
     const auto name = [this, run, action] {
         run->setText(commands_->find("app.palette")->keysText());
-        run->setToolTip(action->toolTip());
         run->setAccessibleName(commands_->find("app.palette")->plainText());
     };
     name();
     connect(commands_, &CommandTable::renamed, run, name);
+    commands_->tellKey(run, "app.palette");
     connect(run, &QToolButton::clicked, action, &QAction::trigger);
     row->addWidget(run);
     menuBar()->setCornerWidget(bar, Qt::TopRightCorner);

@@ -115,13 +115,16 @@ void MarkPainter::paintActions(const Track& track, int player) {
         const double to = axis.xOf(action->end);
         if (to < strip.left() || from > strip.right()) continue;
         paintNoteMark(QRectF(from, strip.top(), to - from, strip.height()));
-        const double room = to - from - 40;
+        // Right of the action's number, left of the folded corner.
+        const QString number = QString::number(action - actions.data() + 1);
+        const double left = from + 5 + painter_.fontMetrics().horizontalAdvance(number) + 8;
+        const double room = to - 12 - left;
         if (room < 30) continue;
         const QString text =
             QString::fromStdString(noteOf(fighter.input.notes, *fighter.segmentation, *action));
         painter_.setPen(colours_.text);
         painter_.drawText(
-            QRectF(from + 26, strip.top(), room, strip.height()), Qt::AlignLeft | Qt::AlignVCenter,
+            QRectF(left, strip.top(), room, strip.height()), Qt::AlignLeft | Qt::AlignVCenter,
             painter_.fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(room)));
     }
     painter_.setFont(font);

@@ -1,5 +1,6 @@
 // What the mouse and the keyboard do on the timeline.
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -99,18 +100,42 @@ void TimelineView::mousePressEvent(QMouseEvent* event) {
         return;
     }
     if (pressLanes(*event)) return;
+    gesture_ = choose(position) ? Gesture::Press : Gesture::Scrub;
+}
+
+/// What a click selects, and the playhead goes there. Whether it is a boundary.
+bool TimelineView::choose(const QPointF& position) {
     const int player = playerAt(position.y());
     if (player >= 0) session_.setActivePlayer(player);
     if (hovered_) {
         session_.goTo(*hovered_);
-        gesture_ = Gesture::Press;
-    } else {
-        if (player >= 0) {
-            session_.select(std::nullopt);
-            session_.selectAction(blockAt(position));
-        }
-        gesture_ = Gesture::Scrub;
-        scrubTo(position.x());
+        return true;
+    }
+    if (player >= 0) {
+        session_.select(std::nullopt);
+        session_.selectAction(blockAt(position));
+    }
+    scrubTo(position.x());
+    return false;
+}
+
+void TimelineView::contextMenuEvent(QContextMenuEvent* event) {
+    if (gesture_ != Gesture::None || tracks_.empty()) return;
+    if (event->reason() == QContextMenuEvent::Mouse) {
+        const QPointF position = event->pos();
+        hover(position);
+        const bool boundary = choose(position);
+        Q_EMIT menuWanted(boundary                      ? TimelineSpot::Boundary
+                          : playerAt(position.y()) >= 0 ? TimelineSpot::Action
+                                                        : TimelineSpot::Ruler,
+                          event->globalPos());
+        return;
+    }
+    // By key: on what is selected, else on the action at the playhead.
+    if (const auto& selected = session_.selection()) {
+        Q_EMIT menuWanted(TimelineSpot::Boundary, mapToGlobal(pointOf(*selected).toPoint()));
+    } else if (const auto action = session_.currentAction()) {
+        Q_EMIT menuWanted(TimelineSpot::Action, mapToGlobal(blockOf(*action).center().toPoint()));
     }
 }
 

@@ -26,6 +26,8 @@ constexpr double kHandle = 14;
 TimelineView::TimelineView(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), note_(new NoteField(session, this)) {
     setAccessibleName(tr("Timeline"));
+    setAccessibleDescription(
+        tr("Force curves of the fighters, the boundaries that cut them, and the actions between"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);

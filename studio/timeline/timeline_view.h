@@ -17,10 +17,14 @@ namespace kumite::studio {
 class LaneSource;
 class NoteField;
 
+/// What a menu is asked for on.
+enum class TimelineSpot { Boundary, Action, Ruler };
+
 /// The timeline: a ruler and one row per fighter with curves, minima, boundaries and actions.
 /// Boundaries are selected by a click, dragged, removed and restored by a double-click or by the
-/// button that appears above them; actions are selected by a click, looped by a double-click. What
-/// stands still while the playhead runs is painted once, into a picture that is kept.
+/// button that appears above them; actions are selected by a click, looped by a double-click. The
+/// right button does what a click does and asks for a menu. What stands still while the playhead
+/// runs is painted once, into a picture that is kept.
 class TimelineView : public QWidget {
     Q_OBJECT
 
@@ -48,6 +52,10 @@ public:
 
     QSize sizeHint() const override;
 
+Q_SIGNALS:
+    /// Of what is selected now, at a point of the screen.
+    void menuWanted(kumite::studio::TimelineSpot spot, const QPoint& at);
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -59,6 +67,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     enum class Gesture { None, Scrub, Pan, Press, Drag, Loop, Lanes };
@@ -81,6 +90,7 @@ private:
     std::optional<BoundaryRef> boundaryAt(const QPointF& position) const;
     std::optional<BoundaryRef> handleAt(const QPointF& position) const;
     const BoundaryMark* markOf(const BoundaryRef& boundary) const;
+    bool choose(const QPointF& position);
     void scrubTo(double x);
     bool startDrag();
     void dragTo(double x, bool free);

@@ -20,7 +20,8 @@ constexpr double kUsualPitch = 0.22;  // radians
 StageView::StageView(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), scene_(std::make_unique<Scene>(this)) {
     setAccessibleName(tr("3D view"));
-    setFocusPolicy(Qt::ClickFocus);
+    setAccessibleDescription(tr("The fighters at the playhead: a drag turns, the wheel zooms"));
+    setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 200);
     scene_->canvas->setAttribute(Qt::WA_TransparentForMouseEvents);
     scene_->caption->setProperty("role", "second");

@@ -25,7 +25,8 @@ struct Viewport;
 
 /// The 3D view: both fighters of the take at the moment that the session shows, on the floor.
 /// Left drag turns, middle or Shift+drag moves, the wheel zooms about the pointer, a click on a
-/// fighter makes it the active one; with the measuring tool a click takes a joint.
+/// fighter makes it the active one; with the measuring tool a click takes a joint. A click with the
+/// right button asks for a menu.
 class StageView : public QWidget {
     Q_OBJECT
 
@@ -88,6 +89,8 @@ public:
 Q_SIGNALS:
     /// Overlays, ghosts, follow or the measuring tool changed.
     void switchesChanged();
+    /// On a fighter, which is the active one now, or on nothing, at a point of the screen.
+    void menuWanted(std::optional<int> player, const QPoint& at);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -97,6 +100,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void takeChanged();
@@ -112,7 +116,7 @@ private:
     void follow();
     void placeOverlays();
     void lookFrom(double yaw, double pitch);
-    void activateFighterAt(const QPointF& position);
+    std::optional<int> fighterAt(const QPointF& position) const;
     void hoverAt(const QPointF& position);
     std::optional<JointRef> jointUnder(const QPointF& position) const;
     QString jointText(const JointRef& joint, bool withSpeed) const;

@@ -1,5 +1,6 @@
 // What the mouse does in the 3D view, and what is marked over its picture.
 
+#include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
@@ -86,13 +87,22 @@ void StageView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void StageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (dragged_ || event->button() != Qt::LeftButton) return;
-    if (isMeasuring()) {
+    if (dragged_) return;
+    const bool menu = event->button() == Qt::RightButton;
+    if (event->button() == Qt::LeftButton && isMeasuring()) {
         scene_->measuring.click(jointUnder(event->position()));
         showLabels();
-    } else {
-        activateFighterAt(event->position());
+    } else if (event->button() == Qt::LeftButton || menu) {
+        const auto player = fighterAt(event->position());
+        if (player) session_.setActivePlayer(*player);
+        if (menu) Q_EMIT menuWanted(player, event->globalPosition().toPoint());
     }
+}
+
+void StageView::contextMenuEvent(QContextMenuEvent* event) {
+    // The right button turns, too: its menu waits for the release.
+    if (event->reason() == QContextMenuEvent::Mouse || session_.playerCount() == 0) return;
+    Q_EMIT menuWanted(session_.activePlayer(), mapToGlobal(rect().center()));
 }
 
 void StageView::leaveEvent(QEvent*) {
@@ -108,13 +118,13 @@ void StageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-void StageView::activateFighterAt(const QPointF& position) {
+std::optional<int> StageView::fighterAt(const QPointF& position) const {
     constexpr double kSlack = 6;  // pixels: thin limbs are hard to hit
     const Ray ray = scene_->camera.rayThrough(position.x(), position.y(), viewport());
     const double pixel = CameraController::metresPerPixel(scene_->camera.distance(), viewport());
     for (const double slack : {0.0, kSlack * pixel}) {
         std::optional<double> nearest;
-        int found = -1;
+        std::optional<int> found;
         for (int player = 0; player < 2; ++player) {
             const auto index = static_cast<std::size_t>(player);
             const auto& joints = scene_->poses[index].joints;
@@ -124,10 +134,9 @@ void StageView::activateFighterAt(const QPointF& position) {
             nearest = hit;
             found = player;
         }
-        if (found < 0) continue;
-        session_.setActivePlayer(found);
-        return;
+        if (found) return found;
     }
+    return std::nullopt;
 }
 
 }  // namespace kumite::studio
