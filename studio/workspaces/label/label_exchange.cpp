@@ -97,20 +97,21 @@ void LabelExchange::askForExport() {
 
 template <typename Done>
 void LabelExchange::read(const QString& path, Done done) {
-    Document& document = session_.document();
-    document.bringUpToDate();
-    jobs_.start(
-        tr("Reading %1").arg(nameOf(path)),
-        [path, project = document.project(), analysis = document.analysis(),
-         take = session_.take()](const Progress&) {
-            ReadLabels result;
-            const auto labels =
-                readLabels(pathOf(path), *project.labelling.vocabulary, &result.findings);
-            result.read = static_cast<int>(labels.size());
-            result.matched = matchLabels(project, analysis, labels, take);
-            return result;
-        },
-        std::move(done));
+    session_.whenCurrent([this, path, done = std::move(done)] {
+        const Document& document = session_.document();
+        jobs_.start(
+            tr("Reading %1").arg(nameOf(path)),
+            [path, project = document.project(), analysis = document.analysis(),
+             take = session_.take()](const Progress&) {
+                ReadLabels result;
+                const auto labels =
+                    readLabels(pathOf(path), *project.labelling.vocabulary, &result.findings);
+                result.read = static_cast<int>(labels.size());
+                result.matched = matchLabels(project, analysis, labels, take);
+                return result;
+            },
+            done);
+    });
 }
 
 void LabelExchange::report(const QString& path, int read, const MatchedLabels& matched,
@@ -137,20 +138,19 @@ void LabelExchange::importFrom(const QString& path) {
     });
 }
 
-bool LabelExchange::exportTo(const QString& path) {
-    Document& document = session_.document();
-    document.bringUpToDate();
-    try {
-        std::optional<int> take;
-        if (QFileInfo(path).suffix().toLower() == QLatin1String("eaf")) take = session_.take();
-        refuseToOverwrite(pathOf(path), recordingFiles(document.project()));
-        writeLabels(document.project(), document.analysis(), take, pathOf(path));
-        Q_EMIT session_.hinted(tr("Labels written to %1.").arg(nameOf(path)));
-        return true;
-    } catch (const Error& error) {
-        messages_.showError(QString::fromUtf8(error.what()));
-        return false;
-    }
+void LabelExchange::exportTo(const QString& path) {
+    session_.whenCurrent([this, path] {
+        const Document& document = session_.document();
+        try {
+            std::optional<int> take;
+            if (QFileInfo(path).suffix().toLower() == QLatin1String("eaf")) take = session_.take();
+            refuseToOverwrite(pathOf(path), recordingFiles(document.project()));
+            writeLabels(document.project(), document.analysis(), take, pathOf(path));
+            Q_EMIT session_.hinted(tr("Labels written to %1.").arg(nameOf(path)));
+        } catch (const Error& error) {
+            messages_.showError(QString::fromUtf8(error.what()));
+        }
+    });
 }
 
 void LabelExchange::compareWith(const QString& path) {

@@ -31,7 +31,7 @@ public:
     /// no take belong to the shown one.
     void importFrom(const QString& path);
     /// By the file's suffix; an .eaf holds the shown take, a table all takes.
-    bool exportTo(const QString& path);
+    void exportTo(const QString& path);
     /// Reads another person's labels to compare them; `compared` follows.
     void compareWith(const QString& path);
     /// Says what is odd about the vocabulary and which labels it would drop, and asks.
