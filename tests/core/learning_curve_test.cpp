@@ -93,7 +93,9 @@ TEST(ActionDistances, NearestFirstAlsoInTheMirror) {
         ASSERT_EQ(near.size(), 5u);
         for (std::size_t i = 0; i < near.size(); ++i) {
             EXPECT_NE(near[i].row, row);
-            if (i > 0) EXPECT_GE(near[i].distance, near[i - 1].distance);
+            if (i > 0) {
+                EXPECT_GE(near[i].distance, near[i - 1].distance);
+            }
             const Label& label = made.truth[static_cast<std::size_t>(near[i].row)];
             const Label& own = made.truth[static_cast<std::size_t>(row)];
             EXPECT_EQ(near[i].mirrored ? mirroredLabel(kickboxing(), label) : label, own);
