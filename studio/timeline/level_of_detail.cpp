@@ -21,7 +21,7 @@ std::vector<CurveColumn> curveColumns(const CurvePyramid& curve, const SampleAxi
     for (double x = left; x < right; x += 1) {
         const double from = std::max(axis.sampleAt(x), 0.0);
         const double to = std::min(axis.sampleAt(x + 1), last);
-        if (from > to) continue;
+        if (from > to || axis.sampleAt(x + 1) <= 0) continue;
         const float begin = valueAt(from);
         const float end = valueAt(to);
         CurveColumn column{x, std::min(begin, end), std::max(begin, end)};

@@ -96,12 +96,12 @@ TEST(CurveColumns, TouchEachOtherAndHoldNothingThatIsElsewhere) {
 TEST(CurveColumns, BetweenSamplesFollowTheLineThatJoinsThem) {
     const CurvePyramid curve(std::vector<double>{1, 3, 2});
     const auto columns = curveColumns(curve, {10, 20}, 0, 100);
-    ASSERT_EQ(columns.size(), 40U) << "from the first sample to the last";
+    ASSERT_EQ(columns.size(), 41U) << "from the first sample to the last";
     EXPECT_EQ(columns.front().x, 10);
     EXPECT_FLOAT_EQ(columns[5].low, 1.5F);
     EXPECT_FLOAT_EQ(columns[5].high, 1.6F);
     EXPECT_FLOAT_EQ(columns[19].high, 3) << "the peak is not cut";
-    EXPECT_FLOAT_EQ(columns[39].low, 2);
+    EXPECT_FLOAT_EQ(columns[40].low, 2);
 }
 
 TEST(CurvePicture, ShowsEveryPeakAtAnyZoomScrollAndScreen) {
