@@ -227,12 +227,22 @@ TEST(Queries, AtRandomBySeed) {
 
 TEST(Queries, StopWhenItIsGoodOrDoesNotGetBetter) {
     EXPECT_FALSE(mayStop({}));
-    std::vector<double> rounds = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.98};
-    EXPECT_TRUE(mayStop(rounds));
-    rounds.erase(rounds.begin());
-    EXPECT_FALSE(mayStop(rounds)) << "too early to tell";
-    EXPECT_FALSE(mayStop(std::vector<double>{0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.91}));
-    EXPECT_TRUE(mayStop(std::vector<double>{0.5, 0.6, 0.9, 0.9, 0.9, 0.9, 0.902, 0.903}));
+    std::vector<double> good(20, 0.98);
+    EXPECT_TRUE(mayStop(good));
+    good.pop_back();
+    EXPECT_FALSE(mayStop(good)) << "too early to tell";
+    std::vector<double> rising;
+    for (int i = 0; i < 30; ++i)
+        rising.push_back(0.4 + 0.01 * i);
+    EXPECT_FALSE(mayStop(rising));
+    // It trembles by five percent around what it has reached.
+    std::vector<double> level = rising;
+    for (int i = 0; i < 10; ++i)
+        level.push_back(i % 2 ? 0.74 : 0.64);
+    EXPECT_FALSE(mayStop(level)) << "better than ten rounds ago";
+    for (int i = 0; i < 10; ++i)
+        level.push_back(i % 2 ? 0.74 : 0.64);
+    EXPECT_TRUE(mayStop(level));
 }
 
 TEST(Scores, WorkedOutOnPaper) {
