@@ -110,9 +110,11 @@ void resolveConflicts(const Vocabulary& vocabulary, Prediction* aspects) {
         for (const int other : vocabulary[i].excludes) {
             if (!isSaid(i) || !isSaid(other)) continue;
             const int weaker = aspects[i].margin < aspects[other].margin ? i : other;
-            aspects[weaker].second = aspects[weaker].qualifier;
-            aspects[weaker].secondConfidence = aspects[weaker].confidence;
-            aspects[weaker].qualifier = *vocabulary[weaker].fallback;
+            Prediction& withdrawn = aspects[weaker];
+            withdrawn.second = withdrawn.qualifier;
+            withdrawn.secondConfidence = withdrawn.confidence;
+            withdrawn.qualifier = *vocabulary[weaker].fallback;
+            if (withdrawn.confidence > 0) withdrawn.confidence = 1 - withdrawn.confidence;
         }
     }
 }

@@ -93,7 +93,7 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
     commands_->add({"label.extendOn", menu, tr("Choose the action after as well"), extendOn,
                     [review] { review->extend(1); }, has});
 
-    const auto& quick = labels_->vocabulary().quick;
+    const std::vector<QuickLabel> quick = quickLabels(labels_->vocabulary());
     for (int i = 0; i < kQuickLabels; ++i) {
         const auto index = static_cast<std::size_t>(i);
         const bool there = index < quick.size();
@@ -104,7 +104,7 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
                             : QList<QKeySequence>(),
                         [review, i] { review->quick(i); }};
         command.enabled = [this, index] {
-            return hasTake() && index < labels_->vocabulary().quick.size();
+            return hasTake() && index < quickLabels(labels_->vocabulary()).size();
         };
         command.repeats = false;
         commands_->add(std::move(command));
@@ -123,14 +123,14 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
 /// Names and keys of the quick labels, of the vocabulary in force.
 void MainWindow::showLabelKeys() {
     const Vocabulary& vocabulary = labels_->vocabulary();
+    const std::vector<QuickLabel> quick = quickLabels(vocabulary);
     for (int i = 0; i < kQuickLabels; ++i) {
         const auto index = static_cast<std::size_t>(i);
-        const bool there = index < vocabulary.quick.size();
-        commands_->setText(
-            quickId(i),
-            there ? tr("Label: %1").arg(labelWords(vocabulary, vocabulary.quick[index].label))
-                  : tr("Quick label %1").arg(i + 1));
-        const std::string key = there ? vocabulary.quick[index].key : std::string();
+        const bool there = index < quick.size();
+        commands_->setText(quickId(i),
+                           there ? tr("Label: %1").arg(labelWords(vocabulary, quick[index].label))
+                                 : tr("Quick label %1").arg(i + 1));
+        const std::string key = there ? quick[index].key : std::string();
         commands_->setDefaultKeys(
             quickId(i),
             key.empty() ? QList<QKeySequence>() : QList{QKeySequence(QString::fromStdString(key))});

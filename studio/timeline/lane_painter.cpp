@@ -25,12 +25,6 @@ double relativeLuminance(const QColor& colour) {
            0.0722 * linear(colour.blueF());
 }
 
-double contrast(const QColor& a, const QColor& b) {
-    const double la = relativeLuminance(a);
-    const double lb = relativeLuminance(b);
-    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
-}
-
 /// What must not vanish under another cell of the same pixel.
 int weightOf(const LaneCell& cell) {
     switch (cell.look) {
@@ -84,7 +78,7 @@ public:
         const QColor ground = cell.uncertain ? mixed(colours_.ground, colour, 0.12) : fill;
         const QColor dark("#16171a");
         const QColor light("#f6f6f7");
-        painter_.setPen(contrast(dark, ground) > contrast(light, ground) ? dark : light);
+        painter_.setPen(contrastOf(dark, ground) > contrastOf(light, ground) ? dark : light);
         const QString text = lanes_.valueText(lane, cell.value);
         const int room = block.width() - 6;
         if (cell.uncertain) {
@@ -126,9 +120,15 @@ double laneHeight(double room, int count) {
     return each >= kLowestLane ? std::min(each, kUsualLane) : 0;
 }
 
+double contrastOf(const QColor& a, const QColor& b) {
+    const double la = relativeLuminance(a);
+    const double lb = relativeLuminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
 QColor classColour(const QColor& colour, const Colours& colours) {
     QColor seen = colour;
-    for (int i = 0; i < 8 && contrast(seen, colours.ground) < 2.2; ++i)
+    for (int i = 0; i < 8 && contrastOf(seen, colours.ground) < 2.2; ++i)
         seen = mixed(seen, colours.text, 0.12);
     return seen;
 }

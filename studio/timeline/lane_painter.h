@@ -29,6 +29,8 @@ double laneHeight(double room, int count);
 void paintLanes(QPainter& painter, const LaneSource& lanes, const Session& session, int player,
                 const LanePlace& place, const Colours& colours, const TimeMapping& mapping);
 
+/// The contrast of two colours as WCAG 2 defines it, 1 … 21.
+double contrastOf(const QColor& a, const QColor& b);
 /// A vocabulary's colour on the ground of a theme: lighter or darker where it would not be seen.
 QColor classColour(const QColor& colour, const Colours& colours);
 

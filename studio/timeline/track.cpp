@@ -56,15 +56,16 @@ void Track::setGeometry(const QRectF& row, double leftGutter, double rightGutter
     constexpr double kStripHeight = 14;
     constexpr double kTop = 6;
     constexpr double kGap = 8;
-    constexpr double kLowestPlot = 28;
+    constexpr double kLowestPlot = 26;
     row_ = row;
     const double left = row.left() + leftGutter;
     const double width = row.width() - leftGutter - rightGutter;
     double bottom = row.bottom() - 4 - kStripHeight;
     lanes_ = {};
     if (laneCount > 0) {
-        const double plots = kLowestPlot * (1 + 0.5 * static_cast<double>(wished_.speeds.size()));
-        const double room = bottom - 2 - (row.top() + kTop) - kGap - plots;
+        const auto rows = static_cast<double>(wished_.speeds.size());
+        const double room =
+            bottom - 2 - (row.top() + kTop) - kGap * rows - kLowestPlot * (1 + 0.5 * rows);
         lanes_.height = laneHeight(room, laneCount);
         lanes_.collapsed = lanes_.height == 0;
         const double height = lanes_.collapsed ? kStripHeight : lanes_.height * laneCount;

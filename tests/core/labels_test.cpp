@@ -63,6 +63,24 @@ TEST(SetLabel, OfOneAspectAndOfSeveralActions) {
     EXPECT_THROW(setLabel(bout.project, bout.analysis, kRed, {{0}}, 4, 3), Error);
 }
 
+TEST(SetLabels, OfBothFightersAreOneStep) {
+    Bout bout;
+    const auto answer = [](FighterAddress fighter, int action, const char* label) {
+        return ActionAnswer{fighter, action, parseLabel(kickboxing(), label)};
+    };
+    const std::vector<ActionAnswer> answers = {answer(kRed, 1, "jump:up"),
+                                               answer(kBlue, 2, "left_kick:up")};
+    const MaybeEdit edit = setLabels(bout.project, bout.analysis, answers);
+    ASSERT_TRUE(edit);
+    EXPECT_EQ(edit->name, "Label 2 actions");
+    bout.apply(edit);
+    EXPECT_EQ(bout.label(1), "jump:up");
+    EXPECT_EQ(bout.label(2, kBlue), "left_kick:up");
+    EXPECT_EQ(bout.label(0), kOpen);
+    EXPECT_FALSE(setLabels(bout.project, bout.analysis, answers)) << "nothing changed";
+    EXPECT_FALSE(setLabels(bout.project, bout.analysis, {}));
+}
+
 TEST(Labels, StayWithThePeakWhenBoundariesMove) {
     Bout bout;
     for (int i = 0; i < 5; ++i)

@@ -71,6 +71,30 @@ TEST(Learner, ConfidencesAreCalibrated) {
     EXPECT_NEAR(stated, right, 0.08 * 5 * 350);
 }
 
+TEST(Learner, TheSecondBestIsOftenRightWhereTheBestIsWrong) {
+    const MadeActions made(600, 4.5f);
+    for (const bool probabilities : {false, true}) {
+        const Predictions predictions = learn(made, 250, {}, probabilities);
+        int wrong = 0;
+        int second = 0;
+        for (int i = 250; i < 600; ++i) {
+            for (int a = 0; a < 4; ++a) {
+                const Prediction& said = predictions.at(i, a);
+                EXPECT_NE(said.second, said.qualifier);
+                EXPECT_EQ(said.secondConfidence > 0, probabilities);
+                EXPECT_LE(said.confidence + said.secondConfidence, 1 + 1e-9);
+                const int truth =
+                    made.truth[static_cast<std::size_t>(i)][static_cast<std::size_t>(a)];
+                if (said.qualifier == truth) continue;
+                ++wrong;
+                second += said.second == truth;
+            }
+        }
+        ASSERT_GT(wrong, 10) << "the case is hard enough";
+        EXPECT_GT(second, wrong / 2);
+    }
+}
+
 TEST(Learner, NothingOneExampleAndOneClass) {
     const MadeActions made(30, 1.0f, 7, {"others"});
     EXPECT_EQ(learn(made, 0).at(3, 0).qualifier, kUnknown);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/labelling/label.h"
+#include "core/labelling/answers.h"
 
 namespace kumite {
 namespace {
@@ -109,6 +109,59 @@ TEST(Vocabulary, TwoQualifiersOnOneKeyAreReported) {
     parseVocabulary(text, "t.json", &findings);
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].text, "In forehand the key 1 stands for both swing and none.");
+}
+
+TEST(Kickboxing, HasAQuickLabelForEveryStrikeOnAKeyOfItsOwn) {
+    const Vocabulary& v = kickboxing();
+    std::set<std::string> keys;
+    std::set<Label> labels;
+    for (const QuickLabel& quick : quickLabels(v)) {
+        EXPECT_TRUE(!quick.key.empty() && keys.insert(quick.key).second) << quick.key;
+        labels.insert(quick.label);
+        EXPECT_EQ(quick.label[static_cast<std::size_t>(*v.find("react"))], kUnknown)
+            << "left to the rules";
+        EXPECT_EQ(quick.label[static_cast<std::size_t>(*v.find("move"))], kUnknown);
+    }
+    for (int a = 0; a < v.size(); ++a) {
+        if (!v[a].limb) continue;
+        for (std::size_t q = 0; q < v[a].qualifiers.size(); ++q) {
+            Label label = parseLabel(v, v[a].id + ":" + v[a].qualifiers[q].id);
+            label[static_cast<std::size_t>(*v.find("react"))] = kUnknown;
+            EXPECT_TRUE(labels.contains(label)) << labelText(v, label);
+        }
+    }
+}
+
+TEST(Answers, OneKeyLabelsAWholeAction) {
+    const Vocabulary& v = kickboxing();
+    const Label nothing(v.aspects.size(), kUnknown);
+    const auto answered = [&](const Label& said, const char* proposed, const char* aspect,
+                              const char* qualifier, Naming naming = Naming::Instead) {
+        const Label proposal = *proposed ? parseLabel(v, proposed) : nothing;
+        const int a = *v.find(aspect);
+        return labelText(v, answeredLabel(v, said, proposal, a, *v[a].find(qualifier), naming),
+                         true);
+    };
+    // What nobody says or proposes is nothing; rules are left alone.
+    EXPECT_EQ(answered(nothing, "", "right_punch", "fwd"), "right_punch:fwd+react:?");
+    // A strike takes the place of the proposed one; a jump stays.
+    EXPECT_EQ(answered(nothing, "left_punch:bwd+jump:up", "right_punch", "fwd"),
+              "right_punch:fwd+jump:up+react:?");
+    EXPECT_EQ(answered(nothing, "left_punch:bwd", "right_punch", "others"),
+              "left_punch:bwd+react:?");
+    // Besides: a composite, but for what excludes it.
+    const Label kick = parseLabel(v, "left_kick:up");
+    EXPECT_EQ(answered(kick, "", "right_punch", "fwd", Naming::Besides),
+              "right_punch:fwd+left_kick:up");
+    EXPECT_EQ(answered(kick, "", "right_kick", "down", Naming::Besides), "right_kick:down");
+    EXPECT_EQ(answered(kick, "", "right_punch", "fwd"), "right_punch:fwd");
+    // To name what a rule decides says nothing else.
+    EXPECT_EQ(answered(nothing, "left_punch:bwd", "react", "kick"),
+              "left_punch:?+right_punch:?+left_kick:?+right_kick:?+jump:?+react:kick");
+    // Agreeing.
+    EXPECT_EQ(labelText(v, agreedLabel(v, nothing, parseLabel(v, "jump:up+move:L-R")), true),
+              "jump:up+react:?");
+    EXPECT_EQ(labelText(v, agreedLabel(v, kick, parseLabel(v, "jump:up")), true), "left_kick:up");
 }
 
 TEST(Labels, AreSpeltByWhatIsNotOthers) {

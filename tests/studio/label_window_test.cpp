@@ -63,8 +63,9 @@ protected:
     void answerByKeys() {
         const Vocabulary& vocabulary = labels().vocabulary();
         const Label truth = truthOf(*labels().current());
-        for (std::size_t i = 0; i < vocabulary.quick.size(); ++i) {
-            if (vocabulary.quick[i].label == truth) {
+        const std::vector<QuickLabel> quick = quickLabels(vocabulary);
+        for (std::size_t i = 0; i < quick.size(); ++i) {
+            if (quick[i].label == truth) {
                 return pressKeyOf(QString("label.quick%1").arg(i + 1));
             }
         }
@@ -79,6 +80,7 @@ protected:
             press(Qt::Key(Qt::Key_0 + digit));
         }
         press(Qt::Key_Y);
+        pressKeyOf("label.next");
     }
     Label handLabel(FighterAddress fighter, int peak) {
         return labels().actions()[std::size_t(labels().indexOf(fighter, peak))].byHand();

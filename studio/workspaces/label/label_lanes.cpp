@@ -10,9 +10,10 @@ LaneCell laneCell(const Aspect& aspect, const ShownAspect& shown) {
     if (!shown.value.known()) return cell;
     cell.value = shown.value.qualifier;
     cell.byHand = shown.standing == Standing::Hand;
-    cell.uncertain = shown.isUncertain();
     const bool nothing = cell.value == aspect.fallback;
     const bool rule = shown.value.source == LabelSource::Rule;
+    // That a rule finds nothing is no question to anybody.
+    cell.uncertain = shown.isUncertain() && !(rule && nothing);
     if (nothing && !cell.uncertain) {
         cell.look = LaneLook::Nothing;
     } else if (cell.byHand) {

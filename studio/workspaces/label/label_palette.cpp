@@ -17,7 +17,7 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr int kRow = 18;
+constexpr int kRow = 16;
 constexpr int kChip = 18;
 constexpr int kGap = 4;
 
@@ -138,7 +138,7 @@ void LabelPalette::addClasses(int& top) {
 /// Quick labels; one and its mirror image share a line.
 void LabelPalette::addQuick(int& top) {
     const Vocabulary& vocabulary = review_.labels().vocabulary();
-    const auto& all = vocabulary.quick;
+    const std::vector<QuickLabel> all = quickLabels(vocabulary);
     for (std::size_t i = 0; i < all.size(); ++i) {
         const bool pair = i + 1 < all.size() && all[i + 1].label != all[i].label &&
                           mirroredLabel(vocabulary, all[i].label) == all[i + 1].label;

@@ -211,6 +211,8 @@ void LabelPanel::showChoice() {
     showAnswers(*action);
     QStringList reasons;
     for (int a = 0; a < labels_.vocabulary().size(); ++a) {
+        // Where the feet stand the lane says itself.
+        if (labels_.vocabulary()[a].classifier == Classifier::MoveRule) continue;
         const QString reason = reasonWords(labels_, *action, a);
         if (reason.isEmpty()) continue;
         const ShownAspect& shown = action->aspects[static_cast<std::size_t>(a)];

@@ -167,7 +167,7 @@ void LabelReview::nameQualifier(int qualifier) {
 }
 
 void LabelReview::quick(int index) {
-    const auto& all = labels_.vocabulary().quick;
+    const std::vector<QuickLabel> all = quickLabels(labels_.vocabulary());
     if (index < 0 || index >= static_cast<int>(all.size())) return;
     const std::vector<int> chosen = labels_.chosen();
     if (chosen.empty()) return;

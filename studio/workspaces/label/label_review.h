@@ -52,7 +52,7 @@ public:
     void nameClass(int digit);
     /// The same for a qualifier of the chosen lane by its index.
     void nameQualifier(int qualifier);
-    /// A whole label at once, by its place in the vocabulary.
+    /// A whole label at once, by its place among the quick labels.
     void quick(int index);
     /// The next class key comes beside what strikes already: a composite.
     bool isComposite() const { return composite_; }

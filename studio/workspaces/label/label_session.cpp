@@ -14,6 +14,8 @@ LabelSession::LabelSession(Session& session, QObject* parent)
     connect(&document, &Document::opened, this, [this] {
         learning_.reset();
         actions_.clear();
+        begins_.clear();
+        queue_.clear();
         batch_.clear();
         curve_.clear();
         chosen_.clear();
@@ -23,6 +25,7 @@ LabelSession::LabelSession(Session& session, QObject* parent)
     connect(&document, &Document::changed, this, &LabelSession::refresh);
     connect(&session_, &Session::takeChanged, this, [this] {
         chosen_.clear();
+        if (isActive()) rebuild();
         Q_EMIT changed();
         Q_EMIT choiceChanged();
     });

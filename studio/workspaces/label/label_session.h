@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/labelling/answers.h"
 #include "studio/app/session.h"
 #include "studio/workspaces/label/label_learning.h"
 #include "studio/workspaces/label/shown_action.h"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/labelling/answers.h"
+
 namespace kumite::studio {
 
 namespace {
