@@ -5,10 +5,12 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
+#include "core/cli/agreement.h"
 #include "core/cli/command.h"
 #include "core/project/labelling.h"
 #include "core/project/project_file.h"
 #include "core/project/simulation.h"
+#include "core/project/vocabulary_change.h"
 
 namespace kumite::cli {
 namespace {
@@ -20,7 +22,7 @@ struct Options {
     double budget = 0.10;
     std::uint32_t seed = 1;
     int batch = QuerySettings().batch;
-    bool automatic = false, noMirror = false, limbFirst = false, json = false;
+    bool automatic = false, merge = false, noMirror = false, limbFirst = false, json = false;
 };
 
 double rounded(double value) {
@@ -38,6 +40,9 @@ void useVocabulary(OpenProject& open, const Options& o, const Streams& streams) 
     const MappedFile file(o.vocabulary);
     Findings findings;
     const Vocabulary vocabulary = parseVocabulary(file.bytes(), o.vocabulary, &findings);
+    for (const VocabularyLoss& loss : lostBy(open.project, vocabulary)) {
+        findings.push_back(warning(vocabulary.name + " has no word for " + lossText(loss) + "."));
+    }
     printFindings(findings, streams);
     if (auto edit = setVocabulary(open.project, vocabulary))
         open.project = std::move(edit->project);
@@ -52,26 +57,35 @@ void useLearning(OpenProject& open, const Options& o) {
 
 void runImport(OpenProject& open, const Options& o, const Streams& streams) {
     refuseToOverwrite(o.project, {o.import});
-    const auto labels = readLabels(o.import, *open.project.labelling.vocabulary);
+    Findings findings;
+    const auto labels = readLabels(o.import, *open.project.labelling.vocabulary, &findings);
     const MatchedLabels matched =
         matchLabels(open.project, open.analysis, labels, chosenTake(open.project, o.take));
-    printFindings(matched.unmatched, streams);
-    if (auto edit = importLabels(open.project, open.analysis, matched.fighters)) {
+    findings.insert(findings.end(), matched.unmatched.begin(), matched.unmatched.end());
+    printFindings(findings, streams);
+    std::optional<Agreement> agreement;
+    if (o.merge) {
+        agreement = compareLabels(open.project, open.analysis,
+                                  ownLabels(open.project, open.analysis), matched.fighters);
+    }
+    const auto bring = o.merge ? mergeLabels : importLabels;
+    if (auto edit = bring(open.project, open.analysis, matched.fighters)) {
         open.project = std::move(edit->project);
     }
-    if (!o.json) {
-        streams.out << fmt::format("{} of {} labels found their action\n", matched.matched,
-                                   labels.size());
+    if (o.json) {
+        Json unmatched = Json::array();
+        for (const Finding& finding : findings)
+            unmatched.push_back(finding.text);
+        Json json = {{"read", labels.size()},
+                     {"matched", matched.matched},
+                     {"unmatched", std::move(unmatched)}};
+        if (agreement) json["agreement"] = agreementJson(open, *agreement);
+        streams.out << json.dump(1, ' ', false, Json::error_handler_t::replace) << "\n";
         return;
     }
-    Json unmatched = Json::array();
-    for (const Finding& finding : matched.unmatched)
-        unmatched.push_back(finding.text);
-    streams.out << Json{{"read", labels.size()},
-                        {"matched", matched.matched},
-                        {"unmatched", std::move(unmatched)}}
-                       .dump(1, ' ', false, Json::error_handler_t::replace)
-                << "\n";
+    streams.out << fmt::format("{} of {} labels found their action\n", matched.matched,
+                               labels.size());
+    if (agreement) printAgreement(open, *agreement, streams);
 }
 
 void runAuto(OpenProject& open, const Options& o, const Streams& streams) {
@@ -198,14 +212,19 @@ void addLabel(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "label", "Labels actions: from a file, by the machine, or as a simulated session.");
     command->add_option("PROJECT", o->project, "a .kumite file")->required();
-    auto* import = command->add_option("--import", o->import,
-                                       "labels to take over: .csv, .json or a truth.json");
+    auto* import = command->add_option(
+        "--import", o->import, "labels to take over: .csv, .json, .eaf (ELAN) or a truth.json");
     auto* automatic = command->add_flag(
         "--auto", o->automatic, "learn from what a hand labelled and label the rest; hands stay");
     auto* simulate = command->add_option(
         "--simulate", o->simulate, "play a user who answers from this truth; changes nothing");
     import->excludes(automatic)->excludes(simulate);
     automatic->excludes(simulate);
+    command
+        ->add_flag("--merge", o->merge,
+                   "with --import: another person's labels: fill in what is not labelled by hand "
+                   "yet, keep the rest, and tell how far both agree")
+        ->needs(import);
     command->add_option("--strategy", o->strategy, "with --simulate: active or random")
         ->check(CLI::IsMember({"active", "random"}))
         ->needs(simulate);
@@ -242,28 +261,6 @@ void addLabel(CLI::App& app, Action& action) {
             if (!o->import.empty()) runImport(open, *o, streams);
             if (o->automatic) runAuto(open, *o, streams);
             if (open.project != before) saveProject(open.project, o->project);
-        };
-    });
-}
-
-void addLabels(CLI::App& app, Action& action) {
-    struct LabelsOptions {
-        std::string project, take, out;
-    };
-    auto o = std::make_shared<LabelsOptions>();
-    CLI::App* command = app.add_subcommand("labels", "Writes the labels of all labelled actions.");
-    command->add_option("PROJECT", o->project, "a .kumite file")->required();
-    command->add_option("--out", o->out, "file to write: .csv, .json or .eaf (ELAN, one take)")
-        ->required();
-    command->add_option("--take", o->take, "only this take");
-    command->footer("Example: kumite labels bout.kumite --out labels.csv");
-    command->callback([o, &action] {
-        action = [o](const Streams& streams) {
-            const OpenProject open = openProject(o->project, streams);
-            refuseToOverwrite(o->out, {o->project});
-            std::optional<int> take;
-            if (!o->take.empty()) take = takeNamed(open.project, o->take);
-            writeLabels(open.project, open.analysis, take, o->out);
         };
     });
 }

@@ -78,6 +78,37 @@ Label mirroredLabel(const Vocabulary& vocabulary, const Label& label) {
     return mirrored;
 }
 
+Label agreedLabel(const Vocabulary& vocabulary, const Label& said, const Label& proposed) {
+    Label label = said;
+    for (int a = 0; a < vocabulary.size(); ++a) {
+        int& qualifier = label[static_cast<std::size_t>(a)];
+        if (qualifier != kUnknown || vocabulary[a].classifier != Classifier::Msvm) continue;
+        qualifier = proposed[static_cast<std::size_t>(a)];
+        if (qualifier == kUnknown) qualifier = vocabulary[a].fallback.value_or(kUnknown);
+    }
+    return label;
+}
+
+Label answeredLabel(const Vocabulary& vocabulary, const Label& said, const Label& proposed,
+                    int aspect, int qualifier, Naming naming) {
+    const bool learnt = vocabulary[aspect].classifier == Classifier::Msvm;
+    Label label = learnt ? agreedLabel(vocabulary, said, proposed) : said;
+    const auto clear = [&](int a) {
+        if (vocabulary[a].fallback) label[static_cast<std::size_t>(a)] = *vocabulary[a].fallback;
+    };
+    const Aspect& named = vocabulary[aspect];
+    if (qualifier != named.fallback) {
+        for (int a = 0; a < vocabulary.size(); ++a) {
+            const bool strikes = naming == Naming::Instead && named.limb && vocabulary[a].limb;
+            if (strikes) clear(a);
+        }
+        for (const int excluded : named.excludes)
+            clear(excluded);
+    }
+    label[static_cast<std::size_t>(aspect)] = qualifier;
+    return label;
+}
+
 std::vector<std::string> conflicts(const Vocabulary& vocabulary, const Label& label) {
     std::vector<std::string> found;
     for (std::size_t i = 0; i < label.size(); ++i) {

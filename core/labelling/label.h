@@ -29,6 +29,21 @@ Label parseLabel(const Vocabulary& vocabulary, std::string_view text);
 /// The label of the same action seen in a mirror.
 Label mirroredLabel(const Vocabulary& vocabulary, const Label& label);
 
+/// How a hand names a qualifier of an action that is labelled already or proposed a label.
+enum class Naming {
+    Instead,  ///< a strike takes the place of every other strike
+    Besides,  ///< it comes beside other strikes: a composite
+};
+
+/// The whole label that a hand means by naming one qualifier: what it `said` before stays, the
+/// other learnt aspects are as `proposed`, or at their fallback. What the named aspect excludes is
+/// at its fallback. Aspects of rules stay as they were said; to name one says nothing else.
+Label answeredLabel(const Vocabulary& vocabulary, const Label& said, const Label& proposed,
+                    int aspect, int qualifier, Naming naming = Naming::Instead);
+/// The whole label that a hand means by agreeing: learnt aspects as said, else as proposed, else
+/// at their fallback. Aspects of rules stay as they were said.
+Label agreedLabel(const Vocabulary& vocabulary, const Label& said, const Label& proposed);
+
 /// Pairs of aspects that exclude each other and are both not at their fallback, as sentences.
 std::vector<std::string> conflicts(const Vocabulary& vocabulary, const Label& label);
 

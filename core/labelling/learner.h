@@ -29,6 +29,8 @@ struct Prediction {
     double confidence = 0;     ///< calibrated probability; 0 where only one class has been seen, or
                                ///< where probabilities were not asked for
     bool blind = true;         ///< fewer than two classes seen: nothing was learnt
+    int second = kUnknown;     ///< the qualifier that comes next; kUnknown: none
+    double secondConfidence = 0;  ///< its probability, as `confidence`
 };
 
 /// Predictions of all rows, row by row, one per aspect of the vocabulary (rule aspects stay blind).
@@ -66,6 +68,12 @@ public:
     Predictions predict(const ParameterSet& parameters, bool probabilities,
                         const Progress& progress = {}) const;
 
+    /// What machines that had not seen them say of the examples, one label each (stratified
+    /// cross-validation); aspects that are not learnt are unknown. With fewer than two examples
+    /// all is unknown.
+    std::vector<Label> crossValidate(const ParameterSet& parameters,
+                                     const Progress& progress = {}) const;
+
     /// Share of examples whose learnt aspects would all have been found right by a machine that
     /// had not seen them: stratified cross-validation. 0 with fewer than two examples.
     double expectedAccuracy(const ParameterSet& parameters, const Progress& progress = {}) const;
@@ -74,6 +82,9 @@ private:
     struct Data;
     std::unique_ptr<Data> data_;
 };
+
+/// Whether every learnt aspect that is known in the truth was answered so.
+bool learntAspectsMatch(const Vocabulary& vocabulary, const Label& truth, const Label& answer);
 
 ParameterSet defaultParameters(const Vocabulary& vocabulary);
 

@@ -72,22 +72,32 @@ void TaskMachine::answer(std::span<const float> squaredDistances, Prediction* as
         task_.givenLimb && first.qualifier == (*task_.vocabulary)[task_.aspects.front()].fallback;
     if (decidedBefore) return;
     const Msvm::Answer answer =
-        machine_ ? machine_->predict(squaredDistances) : Msvm::Answer{*only_, 0, 0};
+        machine_ ? machine_->predict(squaredDistances) : Msvm::Answer{*only_, 0, 0, kUnknown, 0};
     if (!task_.whichLimbs) {
         const Prediction limb = first;
-        first = {answer.choice, answer.margin, answer.probability, !machine_};
+        first = {answer.choice, answer.margin, answer.probability,
+                 !machine_,     answer.second, answer.secondProbability};
         if (!task_.givenLimb) return;
         // As sure as the less sure of both steps; with one qualifier seen, the first step decides.
         first.margin = machine_ ? std::min(limb.margin, answer.margin) : limb.margin;
         first.confidence = limb.confidence * (machine_ ? answer.probability : 0.0);
         first.blind = limb.blind;
+        if (!machine_ || (limb.second != kUnknown && limb.margin < answer.margin)) {
+            first.second = limb.second;
+            first.secondConfidence = limb.secondConfidence;
+        } else {
+            first.secondConfidence = limb.confidence * answer.secondProbability;
+        }
         return;
     }
     for (std::size_t i = 0; i < task_.aspects.size(); ++i) {
         const bool strikes = (answer.choice >> i) & 1;
         const int fallback = *(*task_.vocabulary)[task_.aspects[i]].fallback;
-        aspects[task_.aspects[i]] = {strikes ? kUnknown : fallback, answer.margin,
-                                     answer.probability, !machine_};
+        // Which strike it would be instead, only the machine of that limb could say.
+        const bool orNot = machine_ && strikes && ((answer.second >> i) & 1) == 0;
+        aspects[task_.aspects[i]] = {
+            strikes ? kUnknown : fallback, answer.margin,           answer.probability, !machine_,
+            orNot ? fallback : kUnknown,   answer.secondProbability};
     }
 }
 
@@ -100,6 +110,8 @@ void resolveConflicts(const Vocabulary& vocabulary, Prediction* aspects) {
         for (const int other : vocabulary[i].excludes) {
             if (!isSaid(i) || !isSaid(other)) continue;
             const int weaker = aspects[i].margin < aspects[other].margin ? i : other;
+            aspects[weaker].second = aspects[weaker].qualifier;
+            aspects[weaker].secondConfidence = aspects[weaker].confidence;
             aspects[weaker].qualifier = *vocabulary[weaker].fallback;
         }
     }

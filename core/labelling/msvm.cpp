@@ -1,11 +1,13 @@
 #include "core/labelling/msvm.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include <svm.h>
 
@@ -85,17 +87,27 @@ struct Msvm::Model {
         while (svm->label[chosen] != answer.choice)
             ++chosen;
         std::size_t pair = 0;
+        std::size_t second = chosen;
+        const auto against = [&](std::size_t other, double margin) {
+            if (margin >= answer.margin) return;
+            answer.margin = margin;
+            second = other;
+        };
         for (std::size_t i = 0; i < classes; ++i) {
             for (std::size_t j = i + 1; j < classes; ++j, ++pair) {
-                if (i == chosen) answer.margin = std::min(answer.margin, decisions[pair]);
-                if (j == chosen) answer.margin = std::min(answer.margin, -decisions[pair]);
+                if (i == chosen) against(j, decisions[pair]);
+                if (j == chosen) against(i, -decisions[pair]);
             }
         }
         if (svm->probA) {
             std::vector<double> probabilities(classes);
             svm_predict_probability(svm, row, probabilities.data());
-            answer.probability = probabilities[chosen];
+            answer.probability = std::exchange(probabilities[chosen], -1.0);
+            const auto next = std::max_element(probabilities.begin(), probabilities.end());
+            answer.secondProbability = *next;
+            second = static_cast<std::size_t>(next - probabilities.begin());
         }
+        answer.second = svm->label[second];
         return answer;
     }
 };

@@ -38,6 +38,9 @@ public:
         double margin = 0;  ///< its smallest decision value against another class; below 0 where
                             ///< the votes go round in a circle
         double probability = 0;  ///< of `choice`; 0 if trained without probabilities
+        int second = 0;          ///< the class that comes next: the likeliest of the others, or
+                                 ///< without probabilities the one that `margin` is against
+        double secondProbability = 0;
     };
 
     /// Trains on the kernel's rows at `rows`, whose classes are `classes` (any numbers, at least

@@ -6,8 +6,6 @@
 #include <numeric>
 #include <random>
 
-#include "core/labelling/distances.h"
-
 namespace kumite {
 namespace {
 
@@ -38,36 +36,18 @@ int farthest(const std::vector<int>& among, const std::vector<double>& nearest) 
 }  // namespace
 
 QueryQueue::QueryQueue(const FeatureMatrix& features, const QuerySettings& settings)
-    : settings_(settings) {
+    : actions_(features, settings.mirrored), settings_(settings) {
     if (features.rows() == 0) return;
-    const Standardiser standardiser(features);
-    rows_ = standardiser.apply(features);
-    if (settings.mirrored) {
-        mirrors_.resize(features.rows(), features.cols());
-        const auto width = static_cast<std::size_t>(features.cols());
-        for (Eigen::Index i = 0; i < features.rows(); ++i)
-            mirrorFeatures({features.row(i).data(), width}, {mirrors_.row(i).data(), width});
-        mirrors_ = standardiser.apply(mirrors_);
-    }
     const auto count = static_cast<std::size_t>(features.rows());
     std::vector<int> references;
     for (std::size_t i = 0; i < count; i += 1 + count / (kMostReferences + 1))
         references.push_back(static_cast<int>(i));
-    const FeatureMatrix chosen = rowsAt(rows_, references);
-    toReferences_ = squaredDistances(rows_, chosen);
+    const FeatureMatrix chosen = rowsAt(actions_.rows(), references);
+    toReferences_ = squaredDistances(actions_.rows(), chosen);
     if (settings.mirrored) {
-        toReferences_ = toReferences_.cwiseMin(squaredDistances(mirrors_, chosen));
+        toReferences_ = toReferences_.cwiseMin(squaredDistances(actions_.mirrors(), chosen));
     }
     toReferences_ = toReferences_.cwiseSqrt();
-}
-
-std::vector<double> QueryQueue::distancesTo(int row) const {
-    Eigen::VectorXf distances = (rows_.rowwise() - rows_.row(row)).rowwise().squaredNorm();
-    if (settings_.mirrored) {
-        distances =
-            distances.cwiseMin((rows_.rowwise() - mirrors_.row(row)).rowwise().squaredNorm());
-    }
-    return {distances.begin(), distances.end()};
 }
 
 /// The row that brings the references nearest to what is asked; of equals the first. `covered`:
@@ -103,15 +83,16 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
             open.push_back(static_cast<int>(i));
         } else {
             covered = covered.cwiseMin(toReferences_.row(static_cast<Eigen::Index>(i)));
-            if (!counted_[i]) keepNearest(nearest_, distancesTo(static_cast<int>(i)));
+            if (!counted_[i]) keepNearest(nearest_, actions_.squaredTo(static_cast<int>(i)));
             counted_[i] = true;
         }
     }
+    if (static_cast<int>(answered.size() - open.size()) < settings_.start) predictions = nullptr;
     std::vector<int> batch;
     std::vector<double> toBatch(answered.size(), kFar);
     const auto take = [&](int row) {
         batch.push_back(row);
-        keepNearest(toBatch, distancesTo(row));
+        keepNearest(toBatch, actions_.squaredTo(row));
         covered = covered.cwiseMin(toReferences_.row(row));
         std::erase(open, row);
     };

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/labelling/features.h"
+#include "core/labelling/distances.h"
 #include "core/labelling/learner.h"
 
 namespace kumite {
@@ -17,6 +17,9 @@ struct QuerySettings {
     /// are farthest from all labelled ones.
     double explore = 0.2;
     bool mirrored = true;  ///< an action is as near as its mirror image
+    /// Until so many actions are labelled, those are asked that stand for most: margins of a
+    /// machine that has seen a handful lead astray.
+    int start = 20;
 };
 
 /// Orders questions over the rows of one feature matrix. Deterministic.
@@ -31,11 +34,9 @@ public:
                           const Predictions* predictions = nullptr);
 
 private:
-    std::vector<double> distancesTo(int row) const;
     int mostRepresentative(const std::vector<int>& among, const Eigen::RowVectorXf& covered) const;
 
-    FeatureMatrix rows_;  ///< standardised over all of them
-    FeatureMatrix mirrors_;
+    ActionDistances actions_;
     /// Distance of every row to every reference: every so many rows, at most a thousand.
     FeatureMatrix toReferences_;
     /// How near every row is to what is answered; kept from call to call.

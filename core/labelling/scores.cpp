@@ -100,23 +100,25 @@ Scores judge(const Vocabulary& vocabulary, std::span<const Label> truth,
     return scores;
 }
 
-std::optional<double> cohensKappa(std::span<const int> first, std::span<const int> second) {
-    assert(first.size() == second.size());
-    std::map<int, std::pair<double, double>> shares;
-    double same = 0;
-    double all = 0;
-    for (std::size_t i = 0; i < first.size(); ++i) {
-        if (first[i] == kUnknown || second[i] == kUnknown) continue;
-        ++all;
-        same += first[i] == second[i];
-        ++shares[first[i]].first;
-        ++shares[second[i]].second;
+std::optional<double> cohensKappa(std::span<const JudgementTable> tables) {
+    double all = 0, same = 0, byChance = 0;
+    for (const JudgementTable& table : tables) {
+        std::vector<double> first(table.size()), second(table.size());
+        double judged = 0;
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            for (std::size_t j = 0; j < table.size(); ++j) {
+                first[i] += table[i][j];
+                second[j] += table[i][j];
+                judged += table[i][j];
+            }
+            same += table[i][i];
+        }
+        for (std::size_t i = 0; i < table.size() && judged > 0; ++i)
+            byChance += first[i] * second[i] / judged;
+        all += judged;
     }
     if (all == 0) return std::nullopt;
-    double chance = 0;
-    for (const auto& [name, count] : shares)
-        chance += count.first * count.second / (all * all);
-    return chance >= 1 ? 1.0 : (same / all - chance) / (1 - chance);
+    return byChance >= all ? 1.0 : (same - byChance) / (all - byChance);
 }
 
 }  // namespace kumite

@@ -31,8 +31,13 @@ struct Scores {
 Scores judge(const Vocabulary& vocabulary, std::span<const Label> truth,
              std::span<const Label> answers);
 
-/// Cohen's κ of one aspect between two people, over the actions that both labelled; nothing where
-/// that is none. 1 where both always say the same single thing.
-std::optional<double> cohensKappa(std::span<const int> first, std::span<const int> second);
+/// How often two people said which qualifier: counts[first][second].
+using JudgementTable = std::vector<std::vector<int>>;
+
+/// Cohen's κ of what two people said. Of several aspects (one table each) observed and expected
+/// agreement are summed, each weighted by its judgements (pooled kappa, De Vries et al., Field
+/// Methods 20(3), 2008). Nothing where there is no judgement; 1 where both always say the same
+/// single thing.
+std::optional<double> cohensKappa(std::span<const JudgementTable> tables);
 
 }  // namespace kumite

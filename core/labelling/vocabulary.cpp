@@ -7,6 +7,7 @@
 
 #include "core/formats/json_text.h"
 #include "core/labelling/kickboxing_json.h"
+#include "core/labelling/label.h"
 
 namespace kumite {
 namespace {
@@ -177,6 +178,34 @@ void checkKeys(const Vocabulary& vocabulary, Findings& findings) {
             }
         }
     }
+    std::map<std::string, std::string> quick;
+    for (const QuickLabel& each : vocabulary.quick) {
+        const std::string text = labelText(vocabulary, each.label);
+        const auto [other, isNew] = quick.try_emplace(each.key, text);
+        if (!isNew && !each.key.empty()) {
+            findings.push_back(warning("The key " + each.key + " stands for both " + other->second +
+                                       " and " + text + "."));
+        }
+    }
+}
+
+QuickLabel readQuickLabel(const JsonReader& json, const Vocabulary& vocabulary) {
+    QuickLabel quick;
+    quick.key = optionalText(json, "key");
+    const std::string text = json["label"].text();
+    try {
+        quick.label = parseLabel(vocabulary, text);
+    } catch (const Error& error) {
+        throw json["label"].error(error.what());
+    }
+    for (int a = 0; a < vocabulary.size(); ++a) {
+        int& qualifier = quick.label[static_cast<std::size_t>(a)];
+        const bool ruled = vocabulary[a].classifier != Classifier::Msvm;
+        if (ruled && qualifier == vocabulary[a].fallback) qualifier = kUnknown;
+    }
+    const std::vector<std::string> excluded = conflicts(vocabulary, quick.label);
+    if (!excluded.empty()) throw json["label"].error(excluded.front());
+    return quick;
 }
 
 Json qualifierJson(const Qualifier& qualifier, const Aspect& mirror) {
@@ -233,6 +262,10 @@ Vocabulary readVocabulary(const JsonReader& reader, Findings* findings) {
         connect(aspects.at(i), i, vocabulary);
     checkMirrors(aspects, vocabulary);
     checkStrikes(aspects, vocabulary, findings);
+    if (reader.has("quick")) {
+        for (std::size_t i = 0; i < reader["quick"].size(); ++i)
+            vocabulary.quick.push_back(readQuickLabel(reader["quick"].at(i), vocabulary));
+    }
     if (findings) checkKeys(vocabulary, *findings);
     return vocabulary;
 }
@@ -259,9 +292,15 @@ std::string vocabularyText(const Vocabulary& vocabulary) {
         }
         aspects.push_back(std::move(json));
     }
-    return prettyJson({{"vocabulary", kVocabularyVersion},
-                       {"name", vocabulary.name},
-                       {"aspects", std::move(aspects)}});
+    Json json = {{"vocabulary", kVocabularyVersion},
+                 {"name", vocabulary.name},
+                 {"aspects", std::move(aspects)}};
+    for (const QuickLabel& quick : vocabulary.quick) {
+        Json entry = {{"label", labelText(vocabulary, quick.label)}};
+        if (!quick.key.empty()) entry["key"] = quick.key;
+        json["quick"].push_back(std::move(entry));
+    }
+    return prettyJson(json);
 }
 
 }  // namespace kumite

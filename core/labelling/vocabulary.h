@@ -46,10 +46,19 @@ struct Aspect {
 
 class JsonReader;
 
+/// A whole label that one key says: "right punch forward".
+struct QuickLabel {
+    std::vector<int> label;  ///< a Label; unknown where rules decide
+    std::string key;         ///< default key; may be empty
+
+    bool operator==(const QuickLabel&) const = default;
+};
+
 /// What can be said about an action (method A3): data, so that users can label other sports.
 struct Vocabulary {
     std::string name;
     std::vector<Aspect> aspects;
+    std::vector<QuickLabel> quick;  ///< what is said most often, in the order of a palette
 
     /// Index of an aspect by its id.
     std::optional<int> find(std::string_view aspect) const;

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <iterator>
-#include <map>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "core/formats/tables.h"
 #include "core/project/label_files.h"
 #include "core/project/label_json.h"
+#include "core/project/label_source.h"
 
 namespace kumite {
 namespace {
@@ -38,64 +38,23 @@ void forFighters(const Project& project, std::optional<int> only, const Use& use
     }
 }
 
-/// The least sure source of a label and its confidence.
-AspectValue weakest(const ActionLabel& label) {
-    AspectValue least{0, LabelSource::Hand, 1.0f};
-    for (const AspectValue& value : label.aspects) {
-        if (!value.known()) continue;
-        least.source = std::max(least.source, value.source);
-        least.confidence = std::min(least.confidence, value.confidence);
-    }
-    return least;
-}
-
-std::string escaped(std::string_view text) {
-    std::string out;
-    for (const char c : text) {
-        switch (c) {
-            case '&':
-                out += "&amp;";
-                break;
-            case '<':
-                out += "&lt;";
-                break;
-            case '>':
-                out += "&gt;";
-                break;
-            case '"':
-                out += "&quot;";
-                break;
-            default:
-                // Control characters have no place in XML.
-                out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-        }
-    }
-    return out;
-}
-
-struct Annotation {
-    int begin = 0;  ///< milliseconds
-    int end = 0;
-    std::string value;
-};
-
 }  // namespace
 
 std::string labelsCsv(const Project& project, const Analysis& analysis, std::optional<int> take) {
+    const Vocabulary& vocabulary = *project.labelling.vocabulary;
     std::string text = "take,player,begin_s,end_s,peak_s,label,source,confidence\n";
     forFighters(project, take, [&](FighterAddress address) {
         const std::string name =
             csvField(project.takes[static_cast<std::size_t>(address.take)].name);
         forLabels(project, analysis, address,
                   [&](const Fighter& fighter, const Action& action, const ActionLabel& label) {
-                      const AspectValue least = weakest(label);
+                      const LabelOrigin origin = originOf(vocabulary, label);
                       fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", name,
                                      address.player + 1, fixed(action.begin / fighter.rate, 6),
                                      fixed(action.end / fighter.rate, 6),
                                      fixed(action.peak / fighter.rate, 6),
-                                     labelText(*project.labelling.vocabulary, label.label(), true),
-                                     sourceName(least.source),
-                                     fixed(static_cast<double>(least.confidence), 3));
+                                     labelText(vocabulary, label.label(), true), origin.source,
+                                     fixed(static_cast<double>(origin.confidence), 3));
                   });
     });
     return text;
@@ -128,76 +87,6 @@ std::string labelsJson(const Project& project, const Analysis& analysis, std::op
     });
     return prettyJson(
         {{"kumite_labels", 1}, {"vocabulary", vocabulary.name}, {"takes", std::move(takes)}});
-}
-
-std::string labelsEaf(const Project& project, const Analysis& analysis, int take) {
-    const Vocabulary& vocabulary = *project.labelling.vocabulary;
-    // ELAN's clock begins at 0; a take's may begin before.
-    const double start =
-        std::min(0.0, timeSpan(project.takes[static_cast<std::size_t>(take)]).begin);
-    std::map<int, int> slots;  // milliseconds to number
-    std::string tiers;
-    int annotations = 0;
-    std::vector<std::pair<std::string, std::vector<Annotation>>> all;
-    forFighters(project, take, [&](FighterAddress address) {
-        for (int a = 0; a < vocabulary.size(); ++a) {
-            std::vector<Annotation> tier;
-            const Aspect& aspect = vocabulary[a];
-            forLabels(project, analysis, address,
-                      [&](const Fighter& fighter, const Action& action, const ActionLabel& label) {
-                          const int value = label.aspects[static_cast<std::size_t>(a)].qualifier;
-                          if (value == kUnknown || value == aspect.fallback) return;
-                          const auto at = [&](int frame) {
-                              return static_cast<int>(
-                                  std::lround(1000 * (timeOfFrame(fighter, frame) - start)));
-                          };
-                          tier.push_back({at(action.begin), at(action.end),
-                                          aspect.qualifiers[static_cast<std::size_t>(value)].id});
-                          slots[tier.back().begin];
-                          slots[tier.back().end];
-                      });
-            all.emplace_back(fmt::format("fighter {} {}", address.player + 1, aspect.id),
-                             std::move(tier));
-        }
-    });
-    std::string times;
-    int number = 0;
-    for (auto& [time, slot] : slots) {
-        slot = ++number;
-        times +=
-            fmt::format("    <TIME_SLOT TIME_SLOT_ID=\"ts{}\" TIME_VALUE=\"{}\"/>\n", slot, time);
-    }
-    for (const auto& [name, tier] : all) {
-        tiers += fmt::format("  <TIER LINGUISTIC_TYPE_REF=\"qualifier\" TIER_ID=\"{}\">\n",
-                             escaped(name));
-        for (const Annotation& annotation : tier) {
-            tiers += fmt::format(
-                "    <ANNOTATION>\n"
-                "      <ALIGNABLE_ANNOTATION ANNOTATION_ID=\"a{}\" TIME_SLOT_REF1=\"ts{}\" "
-                "TIME_SLOT_REF2=\"ts{}\">\n"
-                "        <ANNOTATION_VALUE>{}</ANNOTATION_VALUE>\n"
-                "      </ALIGNABLE_ANNOTATION>\n"
-                "    </ANNOTATION>\n",
-                ++annotations, slots[annotation.begin], slots[annotation.end],
-                escaped(annotation.value));
-        }
-        tiers += "  </TIER>\n";
-    }
-    // The date is fixed, so that equal labels give equal files.
-    return fmt::format(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-        "<ANNOTATION_DOCUMENT AUTHOR=\"\" DATE=\"2000-01-01T00:00:00+00:00\" FORMAT=\"3.0\" "
-        "VERSION=\"3.0\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" "
-        "xsi:noNamespaceSchemaLocation=\"http://www.mpi.nl/tools/elan/EAFv3.0.xsd\">\n"
-        "  <HEADER MEDIA_FILE=\"\" TIME_UNITS=\"milliseconds\">\n"
-        "    <PROPERTY NAME=\"lastUsedAnnotationId\">{}</PROPERTY>\n"
-        "  </HEADER>\n"
-        "  <TIME_ORDER>\n{}  </TIME_ORDER>\n"
-        "{}"
-        "  <LINGUISTIC_TYPE GRAPHIC_REFERENCES=\"false\" LINGUISTIC_TYPE_ID=\"qualifier\" "
-        "TIME_ALIGNABLE=\"true\"/>\n"
-        "</ANNOTATION_DOCUMENT>\n",
-        annotations, times, tiers);
 }
 
 void writeLabels(const Project& project, const Analysis& analysis, std::optional<int> take,

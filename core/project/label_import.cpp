@@ -10,25 +10,12 @@
 #include "core/formats/tables.h"
 #include "core/project/label_files.h"
 #include "core/project/label_json.h"
+#include "core/project/label_source.h"
 
 namespace kumite {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Values of a whole label that one source said; rules are credited for what they decide.
-std::vector<AspectValue> valuesOf(const Vocabulary& vocabulary, const Label& label,
-                                  LabelSource source, float confidence) {
-    std::vector<AspectValue> values(label.size());
-    for (std::size_t a = 0; a < label.size(); ++a) {
-        if (label[a] == kUnknown) continue;
-        const bool byRule =
-            source == LabelSource::Machine && vocabulary.aspects[a].classifier != Classifier::Msvm;
-        values[a] = {static_cast<std::int8_t>(label[a]), byRule ? LabelSource::Rule : source,
-                     source == LabelSource::Hand ? 1.0f : confidence};
-    }
-    return values;
-}
 
 /// A column's number in the header of a table.
 std::optional<std::size_t> columnOf(const std::vector<std::string>& header, std::string_view name) {
@@ -72,16 +59,17 @@ TimedLabel readRow(const CsvRow& row, const Vocabulary& vocabulary) {
     label.end = row.number("end_s");
     if (label.end < label.begin) throw row.error("end_s lies before begin_s");
     const std::string sourceText = row.text("source").value_or("hand");
-    const auto source = sourceFromName(sourceText.empty() ? "hand" : sourceText);
-    if (!source) throw row.error("source is hand, rule or machine");
     const std::string confidenceText = row.text("confidence").value_or("");
     const auto confidence = confidenceText.empty() ? 1.0 : parseNumber(confidenceText);
     if (!confidence || *confidence < 0 || *confidence > 1) {
         throw row.error("confidence is a number from 0 to 1");
     }
     try {
-        label.aspects = valuesOf(vocabulary, parseLabel(vocabulary, row.text("label").value_or("")),
-                                 *source, static_cast<float>(*confidence));
+        const auto values =
+            valuesOf(vocabulary, parseLabel(vocabulary, row.text("label").value_or("")),
+                     sourceText.empty() ? "hand" : sourceText, static_cast<float>(*confidence));
+        if (!values) throw row.error("source is hand, rule, machine or hand+rule");
+        label.aspects = *values;
     } catch (const InputError&) {
         throw;
     } catch (const Error& error) {
@@ -116,17 +104,13 @@ std::vector<TimedLabel> readTruth(const JsonReader& json, const Vocabulary& voca
             label.player = static_cast<int>(p) + 1;
             label.begin = entry["begin"].integer() / rate;
             label.end = entry["end"].integer() / rate;
-            label.aspects = valuesOf(vocabulary, readTrueLabel(entry["label"], vocabulary),
-                                     LabelSource::Hand, 1.0f);
+            label.aspects =
+                *valuesOf(vocabulary, readTrueLabel(entry["label"], vocabulary), "hand", 1.0f);
             label.place = fmt::format("player {}, action {}", p + 1, i);
             labels.push_back(std::move(label));
         }
     }
     return labels;
-}
-
-double overlapOf(const TimedLabel& label, const Action& action, double rate) {
-    return std::min(label.end, action.end / rate) - std::max(label.begin, action.begin / rate);
 }
 
 }  // namespace
@@ -186,84 +170,16 @@ std::vector<TimedLabel> parseLabelsJson(std::string_view text, const std::string
     return labels;
 }
 
-std::vector<TimedLabel> readLabels(const std::filesystem::path& path,
-                                   const Vocabulary& vocabulary) {
+std::vector<TimedLabel> readLabels(const std::filesystem::path& path, const Vocabulary& vocabulary,
+                                   Findings* findings) {
     const std::string suffix = lowerCase(path.extension().string());
-    if (suffix != ".csv" && suffix != ".json") {
-        throw Error(path.string() + ": labels are read from .csv and .json files.");
+    if (suffix != ".csv" && suffix != ".json" && suffix != ".eaf") {
+        throw Error(path.string() + ": labels are read from .csv, .json and .eaf files.");
     }
     const MappedFile file(path);
-    return suffix == ".csv" ? parseLabelsCsv(file.bytes(), path.string(), vocabulary)
-                            : parseLabelsJson(file.bytes(), path.string(), vocabulary);
-}
-
-MatchedLabels matchLabels(const Project& project, const Analysis& analysis,
-                          const std::vector<TimedLabel>& labels, std::optional<int> take) {
-    const int aspects = project.labelling.vocabulary->size();
-    MatchedLabels result;
-    std::vector<std::vector<const TimedLabel*>> owners;  // per fighter and action
-    const auto fighterOf = [&](FighterAddress address) {
-        for (std::size_t i = 0; i < result.fighters.size(); ++i) {
-            if (result.fighters[i].fighter == address) return i;
-        }
-        // Nothing is known yet: only what the file says is handed on.
-        std::vector<ActionLabel> open =
-            actionLabels(fighterAt(project, address), analysis.at(address), aspects);
-        for (ActionLabel& label : open)
-            label.aspects.assign(static_cast<std::size_t>(aspects), {});
-        owners.emplace_back(open.size(), nullptr);
-        result.fighters.push_back({address, std::move(open)});
-        return result.fighters.size() - 1;
-    };
-    const auto refuse = [&](const TimedLabel& label, const std::string& why) {
-        result.unmatched.push_back(
-            warning(fmt::format("{} ({}–{} s, fighter {}): {}", label.place, fixed(label.begin, 2),
-                                fixed(label.end, 2), label.player, why)));
-    };
-    if (!take && project.takes.size() == 1) take = 0;
-    for (const TimedLabel& label : labels) {
-        const auto named = std::find_if(project.takes.begin(), project.takes.end(),
-                                        [&](const Take& each) { return each.name == label.take; });
-        std::optional<int> index = take;
-        if (named != project.takes.end()) index = static_cast<int>(named - project.takes.begin());
-        if (!index ||
-            (!label.take.empty() && named == project.takes.end() && project.takes.size() > 1)) {
-            refuse(label, "the project has no take \"" + label.take + "\".");
-            continue;
-        }
-        const FighterAddress address{*index, label.player - 1};
-        const auto players = project.takes[static_cast<std::size_t>(*index)].fighters.size();
-        if (address.player >= static_cast<int>(players) || !analysis.at(address).segmentation) {
-            refuse(label, "the take has no such fighter.");
-            continue;
-        }
-        const double rate = fighterAt(project, address).rate;
-        const std::vector<Action>& actions = analysis.at(address).segmentation->actions;
-        const auto best =
-            std::max_element(actions.begin(), actions.end(), [&](const Action& a, const Action& b) {
-                return overlapOf(label, a, rate) < overlapOf(label, b, rate);
-            });
-        const double least =
-            best == actions.end()
-                ? 0
-                : 0.5 * std::min(label.end - label.begin, (best->end - best->begin) / rate);
-        if (best == actions.end() || overlapOf(label, *best, rate) < least - 1e-6) {
-            refuse(label, "no action there.");
-            continue;
-        }
-        const std::size_t fighter = fighterOf(address);
-        const auto action = static_cast<std::size_t>(best - actions.begin());
-        const TimedLabel*& owner = owners[fighter][action];
-        if (owner && overlapOf(*owner, *best, rate) >= overlapOf(label, *best, rate)) {
-            refuse(label, "its action takes the label of " + owner->place + ".");
-            continue;
-        }
-        if (owner) refuse(*owner, "its action takes the label of " + label.place + ".");
-        result.matched += owner == nullptr;
-        owner = &label;
-        result.fighters[fighter].labels[action].aspects = label.aspects;
-    }
-    return result;
+    if (suffix == ".csv") return parseLabelsCsv(file.bytes(), path.string(), vocabulary);
+    if (suffix == ".eaf") return parseLabelsEaf(file.bytes(), path.string(), vocabulary, findings);
+    return parseLabelsJson(file.bytes(), path.string(), vocabulary);
 }
 
 }  // namespace kumite

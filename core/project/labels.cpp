@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -115,15 +116,29 @@ void requireQualifier(const Aspect& aspect, int qualifier) {
 
 std::string howMany(std::span<const int> actions, FighterAddress fighter) {
     return actions.size() == 1
-               ? fmt::format("action {}, fighter {}", actions.front() + 1, fighter.player + 1)
+               ? fmt::format("action {}, fighter {}", actions.front(), fighter.player + 1)
                : fmt::format("{} actions, fighter {}", actions.size(), fighter.player + 1);
+}
+
+/// "Label action 12, fighter 1: right_punch:fwd"; what differs from answer to answer is left out.
+std::string nameOf(const Vocabulary& vocabulary, std::span<const ActionAnswer> answers,
+                   std::size_t fighters) {
+    std::vector<int> actions;
+    bool same = true;
+    for (const ActionAnswer& answer : answers) {
+        actions.push_back(answer.action);
+        same = same && answer.label == answers.front().label;
+    }
+    std::string name = "Label " + (fighters == 1 ? howMany(actions, answers.front().fighter)
+                                                 : fmt::format("{} actions", answers.size()));
+    if (same) name += ": " + labelText(vocabulary, answers.front().label);
+    return name;
 }
 
 /// Puts values of `proposals` into the project where `takes(old, new)` says so.
 template <typename Takes>
-MaybeEdit mergeLabels(const Project& project, const Analysis& analysis,
-                      std::span<const FighterLabels> proposals, std::string name,
-                      const Takes& takes) {
+MaybeEdit combine(const Project& project, const Analysis& analysis,
+                  std::span<const FighterLabels> proposals, std::string name, const Takes& takes) {
     Edit edit{project, std::move(name)};
     bool changed = false;
     for (const FighterLabels& proposal : proposals) {
@@ -188,23 +203,43 @@ MaybeEdit setLabel(const Project& project, const Analysis& analysis, FighterAddr
 
 MaybeEdit setWholeLabel(const Project& project, const Analysis& analysis, FighterAddress address,
                         std::span<const int> actions, const Label& label) {
+    std::vector<ActionAnswer> answers;
+    for (const int action : actions)
+        answers.push_back({address, action, label});
+    return setLabels(project, analysis, answers);
+}
+
+MaybeEdit setLabels(const Project& project, const Analysis& analysis,
+                    std::span<const ActionAnswer> answers) {
+    if (answers.empty()) return std::nullopt;
     const Vocabulary& vocabulary = *project.labelling.vocabulary;
-    if (static_cast<int>(label.size()) != vocabulary.size()) {
-        throw Error("The label belongs to another vocabulary.");
-    }
-    LabelEdit edit(project, analysis, address);
-    for (const int action : actions) {
-        ActionLabel& changed = edit.at(action);
+    std::map<std::pair<int, int>, LabelEdit> edits;  // by take and player
+    for (const ActionAnswer& answer : answers) {
+        if (static_cast<int>(answer.label.size()) != vocabulary.size()) {
+            throw Error("The label belongs to another vocabulary.");
+        }
+        LabelEdit& edit = edits
+                              .try_emplace({answer.fighter.take, answer.fighter.player}, project,
+                                           analysis, answer.fighter)
+                              .first->second;
+        ActionLabel& changed = edit.at(answer.action);
         for (int a = 0; a < vocabulary.size(); ++a) {
-            const int qualifier = label[static_cast<std::size_t>(a)];
+            const int qualifier = answer.label[static_cast<std::size_t>(a)];
             if (qualifier == kUnknown) continue;
             requireQualifier(vocabulary[a], qualifier);
             changed.aspects[static_cast<std::size_t>(a)] = byHand(qualifier);
         }
     }
-    return withLabels(
-        project, address, edit.result(),
-        fmt::format("Label {}: {}", howMany(actions, address), labelText(vocabulary, label)));
+    Edit edit{project, nameOf(vocabulary, answers, edits.size())};
+    bool changed = false;
+    for (const auto& [key, labels] : edits) {
+        const FighterAddress address{key.first, key.second};
+        LabelTrack track = labels.result();
+        if (track == *fighterAt(project, address).labels) continue;
+        fighterAt(edit.project, address).labels = std::move(track);
+        changed = true;
+    }
+    return changed ? MaybeEdit(std::move(edit)) : std::nullopt;
 }
 
 MaybeEdit clearLabel(const Project& project, const Analysis& analysis, FighterAddress address,
@@ -224,19 +259,27 @@ MaybeEdit clearLabel(const Project& project, const Analysis& analysis, FighterAd
 
 MaybeEdit acceptLabels(const Project& project, const Analysis& analysis,
                        std::span<const FighterLabels> proposals, double leastConfidence) {
-    return mergeLabels(project, analysis, proposals, "Accept labels",
-                       [&](const AspectValue& old, const AspectValue& value) {
-                           return !old.byHand() && !value.byHand() &&
-                                  static_cast<double>(value.confidence) >= leastConfidence;
-                       });
+    return combine(project, analysis, proposals, "Accept labels",
+                   [&](const AspectValue& old, const AspectValue& value) {
+                       return !old.byHand() && !value.byHand() &&
+                              static_cast<double>(value.confidence) >= leastConfidence;
+                   });
 }
 
 MaybeEdit importLabels(const Project& project, const Analysis& analysis,
                        std::span<const FighterLabels> labels) {
-    return mergeLabels(project, analysis, labels, "Import labels",
-                       [](const AspectValue& old, const AspectValue& value) {
-                           return !old.byHand() || value.byHand();
-                       });
+    return combine(project, analysis, labels, "Import labels",
+                   [](const AspectValue& old, const AspectValue& value) {
+                       return !old.byHand() || value.byHand();
+                   });
+}
+
+MaybeEdit mergeLabels(const Project& project, const Analysis& analysis,
+                      std::span<const FighterLabels> labels) {
+    return combine(project, analysis, labels, "Merge labels",
+                   [](const AspectValue& old, const AspectValue& value) {
+                       return !old.byHand() && (value.byHand() || !old.known());
+                   });
 }
 
 MaybeEdit setVocabulary(const Project& project, const Vocabulary& vocabulary) {

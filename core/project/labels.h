@@ -23,6 +23,15 @@ MaybeEdit setLabel(const Project& project, const Analysis& analysis, FighterAddr
 /// A hand says the whole label; unknown aspects stay as they are.
 MaybeEdit setWholeLabel(const Project& project, const Analysis& analysis, FighterAddress fighter,
                         std::span<const int> actions, const Label& label);
+/// What a hand says about one action; unknown aspects stay as they are.
+struct ActionAnswer {
+    FighterAddress fighter;
+    int action = 0;
+    Label label;
+};
+/// A hand says whole labels of several actions, of whichever fighters, as one step.
+MaybeEdit setLabels(const Project& project, const Analysis& analysis,
+                    std::span<const ActionAnswer> answers);
 /// Takes back what was said, by whomever: of one aspect, or of all.
 MaybeEdit clearLabel(const Project& project, const Analysis& analysis, FighterAddress fighter,
                      std::span<const int> actions, std::optional<int> aspect = {});
@@ -40,6 +49,12 @@ MaybeEdit acceptLabels(const Project& project, const Analysis& analysis,
 /// hand-set ones.
 MaybeEdit importLabels(const Project& project, const Analysis& analysis,
                        std::span<const FighterLabels> labels);
+
+/// Fills in what `labels` say where no hand of this project has spoken yet (another person's work
+/// joined to the own): what a hand has set stays, and nothing that is known gives way to a rule or
+/// a machine.
+MaybeEdit mergeLabels(const Project& project, const Analysis& analysis,
+                      std::span<const FighterLabels> labels);
 
 /// Another vocabulary; what was said stays where the new one has the same ids.
 MaybeEdit setVocabulary(const Project& project, const Vocabulary& vocabulary);

@@ -24,7 +24,8 @@ std::string segmentationJson(const Project& project, const Analysis& analysis,
 /// their rate.
 Findings smoothingFindings(const Project& project, const Analysis& analysis);
 
-/// The actions as CSV: `take,player,action,begin,end,peak,begin_s,end_s,peak_force,note`.
+/// The actions as CSV: `take,player,action,begin,end,peak,begin_s,end_s,peak_force,note`. Actions
+/// count from 0, as on the timeline; players from 1.
 std::string actionsCsv(const Project& project, const Analysis& analysis, std::optional<int> take);
 
 /// `frame,time,com_x,com_y,com_z,fx,fy,fz,norm`: smoothed centre of mass in metres, force in body

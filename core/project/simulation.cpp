@@ -14,11 +14,14 @@ namespace {
 constexpr double kSearchAgain = 1.33;
 
 /// True inner boundaries of a fighter, in its frames.
-std::vector<int> trueBoundaries(const Truth& truth, int player, const Fighter& fighter) {
+std::vector<int> trueBoundaries(const Project& project, FighterAddress address,
+                                const Truth& truth) {
+    const Fighter& fighter = fighterAt(project, address);
     std::set<int> frames;
     for (const TimedLabel& label : truth.labels) {
-        if (label.player != player + 1) continue;
-        for (const double seconds : {label.begin, label.end})
+        if (label.player != address.player + 1) continue;
+        const Span span = spanOn(project, address, label);
+        for (const double seconds : {span.begin, span.end})
             frames.insert(static_cast<int>(std::lround(seconds * fighter.rate)));
     }
     const int last = framesOf(fighter).size() - 1;
@@ -73,8 +76,9 @@ std::vector<Label> trueLabels(const Project& project, const Analysis& analysis,
         double longest = 0;
         for (const TimedLabel& label : truth.labels) {
             if (label.player != row.fighter.player + 1) continue;
+            const Span span = spanOn(project, row.fighter, label);
             const double overlap =
-                std::min(label.end, action.end / rate) - std::max(label.begin, action.begin / rate);
+                std::min(span.end, action.end / rate) - std::max(span.begin, action.begin / rate);
             if (overlap <= longest) continue;
             longest = overlap;
             best = &label;
@@ -204,7 +208,7 @@ CorrectedProject correctFromTruth(const Project& project, int take, const Truth&
         if (!result.analysis.at(address).segmentation) continue;
         const Fighter& fighter = fighterAt(result.project, address);
         const double rate = fighter.rate;
-        const std::vector<int> trueFrames = trueBoundaries(truth, player, fighter);
+        const std::vector<int> trueFrames = trueBoundaries(result.project, address, truth);
         std::vector<int> found;
         for (const Boundary& boundary : result.analysis.at(address).segmentation->boundaries) {
             if (boundary.source != BoundarySource::End) found.push_back(boundary.frame);

@@ -44,21 +44,26 @@ void storeOptions(const TimelineOptions& options) {
 
 }  // namespace
 
-void MainWindow::addSegmentCommands(SegmentPanel& panel) {
-    const auto has = [this] { return hasTake(); };
+void MainWindow::addBoundaryCommand(const char* id, const QString& text,
+                                    const QList<QKeySequence>& keys, std::function<void()> run,
+                                    bool newGroup, const QList<QWidget*>& scopes) {
     const QString segment = tr("&Segment");
-    const auto add = [&](const char* id, const QString& text, const QList<QKeySequence>& keys,
-                         std::function<void()> run, bool newGroup = false,
-                         const QList<QWidget*>& scopes = {}) {
-        commands_->add({id,
-                        newGroup ? QLatin1Char('-') + segment : segment,
-                        text,
-                        keys,
-                        std::move(run),
-                        has,
-                        {},
-                        {},
-                        scopes});
+    commands_->add({id,
+                    newGroup ? QLatin1Char('-') + segment : segment,
+                    text,
+                    keys,
+                    std::move(run),
+                    [this] { return hasTake(); },
+                    {},
+                    {},
+                    scopes});
+}
+
+void MainWindow::addBoundaryCommands() {
+    const auto add = [this](const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            std::function<void()> run, bool newGroup = false,
+                            const QList<QWidget*>& scopes = {}) {
+        addBoundaryCommand(id, text, keys, std::move(run), newGroup, scopes);
     };
     add("boundary.toggle", tr("&Remove or restore boundary"), {QKeySequence("Del")},
         [this] { session_.toggleCurrentBoundary(); });
@@ -87,6 +92,16 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
     });
     add("action.note", tr("N&ote on the action…"), {QKeySequence("Ctrl+N")},
         [this] { timeline_->editNote(); });
+}
+
+void MainWindow::addSegmentCommands(SegmentPanel& panel) {
+    const auto has = [this] { return hasTake(); };
+    const QString segment = tr("&Segment");
+    const auto add = [this](const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            std::function<void()> run, bool newGroup = false,
+                            const QList<QWidget*>& scopes = {}) {
+        addBoundaryCommand(id, text, keys, std::move(run), newGroup, scopes);
+    };
     // Return and Backspace are keys of fields and buttons, too.
     const QList<QWidget*> views = {stage_, timelineBox_, panel.list()};
     add(
@@ -104,6 +119,8 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
     add(
         "review.again", tr("De&cide anew"), {QKeySequence("Shift+Return")},
         [this] { reviewAgain(session_); }, false, views);
+    commands_->offerMenu(panel.list(), {"review.accept", "review.reject", "review.again", "-",
+                                        "review.next", "review.previous", "-", "view.selection"});
     CompareBox& compare = panel.comparison();
     commands_->add({"segment.compare",
                     QLatin1Char('-') + segment,
@@ -112,6 +129,7 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
                     [&compare] { compare.setOn(!compare.isOn()); },
                     has,
                     [&compare] { return compare.isOn(); }});
+    panel.tellKeys(*commands_);
     connect(&compare, &CompareBox::toggled, commands_, &CommandTable::refresh);
 }
 

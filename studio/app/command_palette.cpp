@@ -31,8 +31,10 @@ constexpr int kOnRole = Qt::UserRole + 4;
 constexpr int kRowHeight = 26;
 constexpr int kMostRows = 12;
 constexpr int kMostRecent = 8;
-/// A letter found in the command's own name counts more than one found in its menu's.
+/// What is found in the command's own name counts most, then what people also call it, then its
+/// menu's name.
 constexpr int kInName = 20;
+constexpr int kInWords = 10;
 const QString kRecent = QStringLiteral("palette/recent");
 
 QStringList recentIds() {
@@ -100,7 +102,28 @@ struct Answer {
     const Command* command = nullptr;
     int score = 0;
     QVariantList inName;
+    QString word;  ///< of those that people also use, the one that answers
 };
+
+/// Whether `typed` begins a word of `text`.
+bool beginsWordOf(const QString& typed, const QString& text) {
+    const qsizetype at = text.indexOf(typed, 0, Qt::CaseInsensitive);
+    return at == 0 || (at > 0 && !text[at - 1].isLetterOrNumber());
+}
+
+/// Words are short and many: scattered letters would be found in nearly all of them.
+void tryWords(const QString& typed, Answer& answer) {
+    if (typed.isEmpty()) return;
+    for (const QString& each : answer.command->words.split(QLatin1Char(','))) {
+        const QString word = each.trimmed();
+        if (!beginsWordOf(typed, word)) continue;
+        const auto match = fuzzyMatch(typed, word);
+        if (!match || match->score + kInWords <= answer.score) continue;
+        answer.score = match->score + kInWords;
+        answer.word = word;
+        answer.inName.clear();
+    }
+}
 
 std::vector<Answer> answersTo(const QString& typed, const CommandTable& commands) {
     std::vector<Answer> answers;
@@ -108,7 +131,7 @@ std::vector<Answer> answersTo(const QString& typed, const CommandTable& commands
     for (const Command& command : commands.commands()) {
         const QAction* action = commands.action(command.id);
         if (!commands.isEnabled(command) || action->menu() != nullptr) continue;
-        Answer answer{&command, 0, {}};
+        Answer answer{&command, -1, {}, {}};
         if (const auto match = fuzzyMatch(typed, command.plainText())) {
             answer.score = match->score + kInName;
             for (const int position : match->positions)
@@ -116,9 +139,9 @@ std::vector<Answer> answersTo(const QString& typed, const CommandTable& commands
         } else if (const auto wide = fuzzyMatch(
                        typed, command.plainMenu() + QLatin1Char(' ') + command.plainText())) {
             answer.score = wide->score;
-        } else {
-            continue;
         }
+        tryWords(typed, answer);
+        if (answer.score < 0) continue;
         const auto used = recent.indexOf(command.id);
         if (used >= 0) {
             // Between answers of about the same worth what was used lately wins.
@@ -147,6 +170,7 @@ CommandPalette::CommandPalette(CommandTable& commands, QWidget* over)
     layout->setSpacing(6);
     field_->setPlaceholderText(tr("Type what you want to do"));
     field_->setAccessibleName(tr("Command"));
+    field_->setToolTip(tr("A name, a menu or a word for it: ↑ ↓ choose, Return runs, Esc leaves"));
     field_->setClearButtonEnabled(false);
     field_->setMinimumHeight(28);
     layout->addWidget(field_);
@@ -198,7 +222,9 @@ void CommandPalette::fill() {
         const Command& command = *answer.command;
         auto* item = new QListWidgetItem(command.plainText(), list_);
         item->setData(kIdRole, command.id);
-        item->setData(kMenuRole, command.plainMenu());
+        item->setData(kMenuRole, answer.word.isEmpty()
+                                     ? command.plainMenu()
+                                     : tr("%1 · “%2”").arg(command.plainMenu(), answer.word));
         item->setData(kKeysRole, command.keysText());
         item->setData(kMatchRole, answer.inName);
         item->setData(kOnRole, command.checked && command.checked());

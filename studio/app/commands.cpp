@@ -1,5 +1,6 @@
 #include "studio/app/commands.h"
 
+#include <QAbstractScrollArea>
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
@@ -36,6 +37,10 @@ QString Command::keysText() const {
     return names.join(QStringLiteral(" · "));
 }
 
+bool Command::isOf(const QString& id) const {
+    return workspace.isEmpty() || workspace.split(QLatin1Char(' ')).contains(id);
+}
+
 CommandTable::CommandTable(QWidget* window) : QObject(window), window_(window) {}
 
 void CommandTable::add(Command command) {
@@ -43,6 +48,7 @@ void CommandTable::add(Command command) {
     auto* action = new QAction(this);
     action->setObjectName(command.id);
     if (command.checked) action->setCheckable(true);
+    action->setAutoRepeat(command.repeats);
     if (command.scopes.isEmpty()) {
         window_->addAction(action);
     } else {
@@ -50,7 +56,8 @@ void CommandTable::add(Command command) {
         for (QWidget* scope : command.scopes)
             scope->addAction(action);
     }
-    connect(action, &QAction::triggered, this, [this, run = command.run] {
+    connect(action, &QAction::triggered, this, [this, id = command.id, run = command.run] {
+        Q_EMIT running(id);
         run();
         refresh();
     });
@@ -60,8 +67,8 @@ void CommandTable::add(Command command) {
     describe(commands_.size() - 1);
 }
 
-void CommandTable::addFor(const QString& workspace, const std::function<void()>& addAll) {
-    const QString before = std::exchange(adding_, workspace);
+void CommandTable::addFor(const QString& workspaces, const std::function<void()>& addAll) {
+    const QString before = std::exchange(adding_, workspaces);
     addAll();
     adding_ = before;
 }
@@ -76,11 +83,8 @@ void CommandTable::describe(std::size_t index) {
     QAction* action = actions_[index];
     action->setText(command.text);
     action->setShortcuts(command.keys);
-    QString tip = command.plainText().remove(QStringLiteral("…"));
-    if (!command.keys.isEmpty()) {
-        tip += QStringLiteral(" (%1)").arg(command.keys.front().toString(QKeySequence::NativeText));
-    }
-    action->setToolTip(tip);
+    action->setShortcutVisibleInContextMenu(true);
+    action->setToolTip(withKey(command.plainText().remove(QStringLiteral("…")), command.id));
 }
 
 std::size_t CommandTable::indexOf(const QString& id) const {
@@ -105,8 +109,7 @@ void CommandTable::run(const QString& id) const {
 }
 
 bool CommandTable::isEnabled(const Command& command) const {
-    const bool offered = command.workspace.isEmpty() || command.workspace == workspace_;
-    return offered && (!command.enabled || command.enabled());
+    return command.isOf(workspace_) && (!command.enabled || command.enabled());
 }
 
 const QList<QKeySequence>& CommandTable::defaultKeys(const QString& id) const {
@@ -121,6 +124,13 @@ void CommandTable::setKeys(const QString& id, const QList<QKeySequence>& keys) {
     Q_EMIT renamed();
 }
 
+void CommandTable::setDefaultKeys(const QString& id, const QList<QKeySequence>& keys) {
+    const std::size_t index = indexOf(id);
+    const bool asBrought = commands_.at(index).keys == defaultKeys_[index];
+    defaultKeys_[index] = keys;
+    if (asBrought) setKeys(id, keys);
+}
+
 void CommandTable::setText(const QString& id, const QString& text) {
     const std::size_t index = indexOf(id);
     if (commands_.at(index).text == text) return;
@@ -129,10 +139,29 @@ void CommandTable::setText(const QString& id, const QString& text) {
     Q_EMIT renamed();
 }
 
+void CommandTable::setWords(const QString& id, const QString& words) {
+    commands_.at(indexOf(id)).words = words;
+}
+
+QString CommandTable::withKey(const QString& tip, const QString& id) const {
+    const QList<QKeySequence>& keys = commands_.at(indexOf(id)).keys;
+    if (keys.isEmpty()) return tip;
+    return QStringLiteral("%1 (%2)").arg(tip, keys.front().toString(QKeySequence::NativeText));
+}
+
+void CommandTable::tellKey(QWidget* widget, const QString& id) {
+    widget->setProperty("command", id);
+    const auto tell = [this, widget, id, tip = widget->toolTip()] {
+        widget->setToolTip(tip.isEmpty() ? action(id)->toolTip() : withKey(tip, id));
+    };
+    tell();
+    connect(this, &CommandTable::renamed, widget, tell);
+}
+
 void CommandTable::refresh() {
     for (std::size_t i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
-        actions_[i]->setVisible(command.workspace.isEmpty() || command.workspace == workspace_);
+        actions_[i]->setVisible(command.isOf(workspace_));
         actions_[i]->setEnabled(isEnabled(command));
         if (command.checked) actions_[i]->setChecked(command.checked());
     }
@@ -178,6 +207,28 @@ QMenu* CommandTable::menu(const QString& title) const {
         if (menu->title() == title) return menu;
     }
     return nullptr;
+}
+
+void CommandTable::popUp(const QStringList& ids, const QPoint& at) {
+    refresh();
+    auto* menu = new QMenu(window_);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (const QString& id : ids) {
+        if (id == QLatin1String("-")) {
+            menu->addSeparator();
+        } else {
+            menu->addAction(action(id));
+        }
+    }
+    menu->popup(at);
+}
+
+void CommandTable::offerMenu(QWidget* widget, const QStringList& ids) {
+    widget->setContextMenuPolicy(Qt::CustomContextMenu);
+    auto* area = qobject_cast<QAbstractScrollArea*>(widget);
+    const QWidget* shown = area ? area->viewport() : widget;
+    connect(widget, &QWidget::customContextMenuRequested, this,
+            [this, shown, ids](const QPoint& at) { popUp(ids, shown->mapToGlobal(at)); });
 }
 
 }  // namespace kumite::studio

@@ -4,6 +4,7 @@
 #include <QList>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <vector>
@@ -28,7 +29,13 @@ struct Command {
     QString icon = {};
     /// Its keys work only where one of these or a child has the focus; none: in the whole window.
     QList<QWidget*> scopes = {};
-    QString workspace = {};  ///< id of the workspace that it belongs to; empty: to all
+    /// Ids of the workspaces that it belongs to, separated by blanks; empty: to all.
+    QString workspace = {};
+    bool repeats = true;  ///< runs again and again while its key is held down
+
+    /// Whether it is offered in a workspace.
+    bool isOf(const QString& id) const;
+    QString words = {};  ///< other words that people look for it by: "delete, cut"
 
     /// The text without the marks that menus need: "Open recordings…".
     QString plainText() const;
@@ -46,9 +53,9 @@ public:
     explicit CommandTable(QWidget* window);
 
     void add(Command command);
-    /// What `addAll` adds belongs to a workspace: it is offered and its keys work only while that
-    /// workspace is shown.
-    void addFor(const QString& workspace, const std::function<void()>& addAll);
+    /// What `addAll` adds belongs to one or several workspaces (ids separated by blanks): it is
+    /// offered and its keys work only while one of them is shown.
+    void addFor(const QString& workspaces, const std::function<void()>& addAll);
     void showWorkspace(const QString& workspace);
 
     /// Null where there is no such command.
@@ -62,7 +69,15 @@ public:
     /// Keys as the studio brings them, and those in force from now on.
     const QList<QKeySequence>& defaultKeys(const QString& id) const;
     void setKeys(const QString& id, const QList<QKeySequence>& keys);
+    /// Other keys as the studio brings them; they are in force unless the user gave others.
+    void setDefaultKeys(const QString& id, const QList<QKeySequence>& keys);
     void setText(const QString& id, const QString& text);
+    void setWords(const QString& id, const QString& words);
+    /// A tip that names the first key in force of a command, if it has one: "Keep it (Return)".
+    QString withKey(const QString& tip, const QString& id) const;
+    /// Has the widget's tip, or the command's if it has none, name the command's key from now on,
+    /// whatever the key becomes.
+    void tellKey(QWidget* widget, const QString& id);
 
     /// Brings enabled and checked states up to date.
     void refresh();
@@ -70,10 +85,17 @@ public:
     void refreshIcons();
     void fillMenus(QMenuBar* bar);
     QMenu* menu(const QString& title) const;
+    /// Shows some commands at a point of the screen; "-" begins a new group. Commands of other
+    /// workspaces are left out.
+    void popUp(const QStringList& ids, const QPoint& at);
+    /// The same as the context menu of a widget that needs nothing done before.
+    void offerMenu(QWidget* widget, const QStringList& ids);
 
 Q_SIGNALS:
     /// Keys or texts are others now.
     void renamed();
+    /// A command is about to run.
+    void running(const QString& id);
 
 private:
     std::size_t indexOf(const QString& id) const;

@@ -3,17 +3,19 @@
 #include <QFileInfo>
 
 #include <exception>
+#include <utility>
 
 namespace kumite::studio {
 
 namespace {
 
 /// Whether every fighter was analysed with all that its curves are made from, wherever it stood:
-/// then the analysis takes milliseconds. Corrections, notes, offsets, placements and the order of
-/// takes and fighters are such changes.
+/// then the analysis takes milliseconds. Corrections, notes, labels, offsets, placements and the
+/// order of takes and fighters are such changes.
 bool isQuick(const Analysis& analysis, const Project& project) {
     if (!(analysis.settings == project.segmentation) ||
-        !(analysis.bodyModel == project.bodyModel)) {
+        !(analysis.bodyModel == project.bodyModel) ||
+        !(analysis.contacts == project.labelling.rules.contacts)) {
         return false;
     }
     const auto isKnown = [&](const Fighter& fighter) {
@@ -22,6 +24,7 @@ bool isQuick(const Analysis& analysis, const Project& project) {
                 Fighter seen = known.input;
                 seen.corrections = fighter.corrections;
                 seen.notes = fighter.notes;
+                seen.labels = fighter.labels;
                 seen.offset = fighter.offset;
                 seen.placement = fighter.placement;
                 if (seen == fighter) return true;
@@ -41,6 +44,13 @@ bool isQuick(const Analysis& analysis, const Project& project) {
 
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&jobs_, &JobRunner::failed, this, &Document::failed);
+    connect(&jobs_, &JobRunner::finished, this, [this] {
+        // Told before the result is handed over; a job that was cancelled or failed has none.
+        const auto look = [this] {
+            if (!isCurrent() && !isComputing()) dropWaiting();
+        };
+        QMetaObject::invokeMethod(this, look, Qt::QueuedConnection);
+    });
 }
 
 QString Document::name() const {
@@ -51,8 +61,10 @@ QString Document::name() const {
 
 void Document::open(History history, Analysis analysis, const QString& path, bool unsaved) {
     jobs_.cancel();
+    waiting_.clear();
     history_ = std::move(history);
     analysis_ = std::move(analysis);
+    current_ = true;
     path_ = path;
     unsaved_ = unsaved;
     open_ = true;
@@ -89,10 +101,21 @@ bool Document::apply(const ProjectEdit& edit) {
 }
 
 bool Document::apply(const BoundaryEdit& edit) {
-    return commit([&] {
-        bringUpToDate();
-        return edit(project(), analysis_);
-    });
+    if (!isCurrent()) {
+        Q_EMIT failed(tr("The force curves are still being computed; try again in a moment."));
+        return false;
+    }
+    return commit([&] { return edit(project(), analysis_); });
+}
+
+void Document::whenCurrent(const std::function<void()>& act) {
+    if (isCurrent()) {
+        act();
+        return;
+    }
+    waiting_.push_back(act);
+    if (!isComputing()) refresh();
+    Q_EMIT changed();
 }
 
 bool Document::applyLive(const QString& gesture, const ProjectEdit& edit) {
@@ -120,53 +143,81 @@ bool Document::applyLive(const QString& gesture, const ProjectEdit& edit) {
 }
 
 void Document::undo() {
+    if (isWaiting()) {
+        waiting_.pop_back();
+        Q_EMIT changed();
+        return;
+    }
     if (!history_.canUndo()) return;
     history_.undo();
     refresh();
 }
 
 void Document::redo() {
-    if (!history_.canRedo()) return;
+    if (!canRedo()) return;
     history_.redo();
     refresh();
 }
 
 void Document::goToStep(std::size_t step) {
+    dropWaiting();
     if (step == history_.position()) return;
     history_.goTo(step);
     refresh();
 }
 
-void Document::bringUpToDate() {
-    if (!isCurrent()) analyseNow();
+void Document::takeOver(Analysis analysis) {
+    analysis_ = std::move(analysis);
+    current_ = true;
+    Q_EMIT analysisChanged();
 }
 
 void Document::analyseNow() {
     jobs_.cancel();
+    current_ = false;
     try {
-        analysis_ = analyse(project(), analysis_);
+        takeOver(analyse(project(), analysis_));
     } catch (const std::exception& error) {
         Q_EMIT failed(QString::fromUtf8(error.what()));
     }
-    Q_EMIT analysisChanged();
+}
+
+void Document::runWaiting() {
+    if (!isCurrent()) {
+        if (!isComputing()) dropWaiting();
+        return;
+    }
+    // What these edits make may have to be computed beside the window again: the rest waits on.
+    const auto acts = std::exchange(waiting_, {});
+    for (const auto& act : acts)
+        whenCurrent(act);
+}
+
+void Document::dropWaiting() {
+    if (!isWaiting()) return;
+    waiting_.clear();
+    Q_EMIT changed();
 }
 
 void Document::refresh() {
     if (isQuick(analysis_, project())) {
         analyseNow();
+        Q_EMIT changed();
+        runWaiting();
     } else {
+        current_ = false;
         jobs_.start(
             tr("Computing force curves"),
             [project = project(), previous = analysis_](const Progress& progress) {
                 return analyse(project, previous, progress);
             },
             [this](Analysis analysis) {
-                analysis_ = std::move(analysis);
-                Q_EMIT analysisChanged();
+                takeOver(std::move(analysis));
                 Q_EMIT changed();
+                runWaiting();
             });
+        Q_EMIT changed();
     }
-    Q_EMIT changed();
 }
 
 }  // namespace kumite::studio

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <functional>
+#include <vector>
 
 #include "core/project/analysis.h"
 #include "core/project/edits.h"
@@ -23,15 +24,18 @@ public:
     bool isOpen() const { return open_; }
     const Project& project() const { return history_.current(); }
     const History& history() const { return history_; }
-    /// The derived values; those of an earlier project while `isCurrent()` is false.
+    /// The derived values; those of an earlier project while `isCurrent()` is false: a job computes
+    /// them, or was cancelled.
     const Analysis& analysis() const { return analysis_; }
-    bool isCurrent() const { return !jobs_.isRunning(); }
+    bool isCurrent() const { return current_; }
+    bool isComputing() const { return jobs_.isRunning(); }
 
     /// Absolute path of the project file; empty while it has none.
     QString path() const { return path_; }
     /// "bout.kumite", or the first take's name.
     QString name() const;
-    bool isModified() const { return open_ && (unsaved_ || !history_.isSaved()); }
+    /// Edits that wait for the derived values count.
+    bool isModified() const { return open_ && (unsaved_ || !history_.isSaved() || isWaiting()); }
 
     /// Makes a project the open one. `unsaved`: it is not what the file at `path` holds.
     void open(History history, Analysis analysis, const QString& path, bool unsaved);
@@ -42,19 +46,27 @@ public:
     /// Commits what the function returns; false where it changed nothing or failed (then
     /// `failed` says why).
     bool apply(const ProjectEdit& edit);
-    /// The same for edits that need the analysis, which is brought up to date first.
+    /// The same for edits that need the derived values of the very project. While these are being
+    /// computed there is no such edit (`failed` says so): see `whenCurrent`.
     bool apply(const BoundaryEdit& edit);
+    /// Runs what needs the derived values: at once where they are current, else as soon as they
+    /// are, so that nobody waits for a long analysis. What was asked first runs first; undo takes
+    /// back what was asked last; another project, a step in the history and a cancelled analysis
+    /// drop all.
+    void whenCurrent(const std::function<void()>& act);
+    bool isWaiting() const { return !waiting_.empty(); }
     /// For values that follow a hand: edits one after the other under the same name of a gesture
     /// ("offset of fighter 1") are one step of the history, made from the project before it; led
     /// back to where it began, there is no step. See History::amend.
     bool applyLive(const QString& gesture, const ProjectEdit& edit);
     /// The next edit is a step of its own.
     void endGesture() { gesture_.clear(); }
+    bool canUndo() const { return isWaiting() || history_.canUndo(); }
+    /// Nothing can be redone while a newer edit waits.
+    bool canRedo() const { return !isWaiting() && history_.canRedo(); }
     void undo();
     void redo();
     void goToStep(std::size_t step);
-    /// Computes at once what a job still computes, for those who need it now.
-    void bringUpToDate();
 
     JobRunner& jobs() { return jobs_; }
 
@@ -71,12 +83,17 @@ private:
     bool commit(const std::function<MaybeEdit()>& edit);
     void refresh();
     void analyseNow();
+    void takeOver(Analysis analysis);
+    void runWaiting();
+    void dropWaiting();
 
     History history_;
     Analysis analysis_;
     QString path_;
     bool open_ = false;
     bool unsaved_ = false;
+    bool current_ = true;
+    std::vector<std::function<void()>> waiting_;  ///< for `current_`, in the order asked
     QString gesture_;              ///< which live edit made the current step; empty: none
     std::size_t gestureStep_ = 0;  ///< the step that it made
     JobRunner jobs_;

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QListView>
 #include <QListWidget>
-#include <QMenu>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -47,16 +47,6 @@ void fitHeight(QListWidget* list) {
     list->setFixedHeight(std::min(height, 160));
 }
 
-void offerMenu(QListWidget* list, const QList<QAction*>& actions) {
-    list->setContextMenuPolicy(Qt::CustomContextMenu);
-    QObject::connect(list, &QListWidget::customContextMenuRequested, list,
-                     [list, actions](const QPoint& at) {
-                         QMenu menu(list);
-                         menu.addActions(actions);
-                         menu.exec(list->viewport()->mapToGlobal(at));
-                     });
-}
-
 }  // namespace
 
 DocumentPanel::DocumentPanel(Session& session, QWidget* parent)
@@ -84,6 +74,7 @@ DocumentPanel::DocumentPanel(Session& session, QWidget* parent)
         list->setTextElideMode(Qt::ElideMiddle);
         list->setIconSize({10, 10});
     }
+    history_->setObjectName(QStringLiteral("history"));
     history_->setModel(historyModel_);
     history_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     history_->setIconSize({10, 10});
@@ -125,7 +116,7 @@ QHBoxLayout* DocumentPanel::addSection(const QString& title, QWidget* list) {
     return row;
 }
 
-void DocumentPanel::addCommands(const CommandTable& commands) {
+void DocumentPanel::addCommands(CommandTable& commands) {
     const auto addButton = [&](QHBoxLayout* row, const char* command) {
         auto* button = new QToolButton(this);
         button->setDefaultAction(commands.action(QLatin1String(command)));
@@ -138,16 +129,20 @@ void DocumentPanel::addCommands(const CommandTable& commands) {
     addButton(takesHeading_, "take.add");
     addButton(fightersHeading_, "fighter.swap");
     addButton(fightersHeading_, "fighter.properties");
-    const auto actions = [&](std::initializer_list<const char*> ids) {
-        QList<QAction*> found;
-        for (const char* id : ids)
-            found.append(commands.action(QLatin1String(id)));
-        return found;
-    };
-    offerMenu(takes_, actions({"take.add", "take.rename", "take.up", "take.down", "take.remove"}));
-    offerMenu(fighters_, actions({"fighter.properties", "fighter.swap", "file.findRecording"}));
+    commands.offerMenu(
+        takes_, {"take.add", "take.rename", "-", "take.up", "take.down", "-", "take.remove"});
+    commands.offerMenu(fighters_, {"fighter.properties", "fighter.swap", "file.findRecording"});
+    commands.offerMenu(history_, {"edit.undo", "edit.redo", "-", "file.save", "file.versions"});
+    history_->viewport()->installEventFilter(this);
     connect(fighters_, &QListWidget::itemDoubleClicked,
             commands.action(QStringLiteral("fighter.properties")), &QAction::trigger);
+}
+
+bool DocumentPanel::eventFilter(QObject* watched, QEvent* event) {
+    // A click goes back to a state; one that asks for the menu must not.
+    const bool pressed = event->type() == QEvent::MouseButtonPress;
+    if (pressed && static_cast<QMouseEvent*>(event)->button() != Qt::LeftButton) return true;
+    return QWidget::eventFilter(watched, event);
 }
 
 void DocumentPanel::changeEvent(QEvent* event) {

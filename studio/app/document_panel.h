@@ -24,10 +24,11 @@ public:
 
     TakesList& takes() { return *takes_; }
     /// Buttons beside the headings and menus on the lists, once the commands are there.
-    void addCommands(const CommandTable& commands);
+    void addCommands(CommandTable& commands);
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QHBoxLayout* addSection(const QString& title, QWidget* list);

@@ -38,7 +38,7 @@ QStringList filesOf(const TakeRequest& request) {
 
 FileActions::FileActions(Session& session, MessageStrip& strip, QWidget* window)
     : QObject(window), session_(session), strip_(strip), window_(window) {
-    for (JobRunner* runner : {&jobs_, &writing_})
+    for (JobRunner* runner : {&jobs_, &writing_, &exporting_})
         connect(runner, &JobRunner::failed, &strip_, &MessageStrip::showError);
 }
 

@@ -26,10 +26,13 @@ class FileActions : public QObject {
 public:
     FileActions(Session& session, MessageStrip& strip, QWidget* window);
 
-    /// Reading, and writing.
+    /// Reading, writing and exporting.
     JobRunner& jobs() { return jobs_; }
     JobRunner& writing() { return writing_; }
-    bool isBusy() const { return jobs_.isRunning() || writing_.isRunning(); }
+    JobRunner& exporting() { return exporting_; }
+    bool isBusy() const {
+        return jobs_.isRunning() || writing_.isRunning() || exporting_.isRunning();
+    }
 
     /// Opens what was named on the command line or chosen: a project, or one or two recordings.
     /// Where a bout is open, recordings go through the import dialog.
@@ -82,6 +85,7 @@ private:
     void openVersion(const KeptVersion& version);
     bool mayTakeOver(ProjectLock& lock, const QString& path);
     bool mayReplace(const QString& path);
+    void finishEdits();
     std::optional<Saved> write(const QString& path, bool whateverIsThere);
 
     Session& session_;
@@ -89,6 +93,7 @@ private:
     QWidget* window_;
     JobRunner jobs_;
     JobRunner writing_;
+    JobRunner exporting_;                ///< goes on while the project is saved
     std::shared_ptr<ProjectLock> lock_;  ///< of the open project; null: it has no file
     std::string onDisk_;                 ///< what its file held when it was last read or written
 };

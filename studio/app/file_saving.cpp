@@ -45,8 +45,19 @@ bool FileActions::saveAs() {
     return saveTo(path);
 }
 
+void FileActions::finishEdits() {
+    // Edits that wait for derived values belong to what is written.
+    const Document& document = session_.document();
+    while (document.isWaiting() && document.isComputing()) {
+        QEventLoop loop;
+        connect(&session_.document().jobs(), &JobRunner::finished, &loop, &QEventLoop::quit);
+        loop.exec(QEventLoop::ExcludeUserInputEvents);
+    }
+}
+
 std::optional<FileActions::Saved> FileActions::write(const QString& path, bool whateverIsThere) {
     std::optional<Saved> saved;
+    finishEdits();
     QEventLoop loop;
     connect(&writing_, &JobRunner::finished, &loop, &QEventLoop::quit);
     writing_.start(
@@ -142,8 +153,9 @@ void FileActions::askForExport() {
 }
 
 void FileActions::exportTo(const QString& path) {
+    finishEdits();
     const Document& document = session_.document();
-    writing_.start(
+    exporting_.start(
         tr("Exporting %1").arg(QFileInfo(path).fileName()),
         [project = document.project(), previous = document.analysis(), take = session_.take(),
          path](const Progress& progress) {

@@ -23,8 +23,11 @@ QStringList textsOf(const QList<QKeySequence>& keys) {
 }
 
 bool meet(const Command& a, const Command& b) {
-    if (!a.workspace.isEmpty() && !b.workspace.isEmpty() && a.workspace != b.workspace) {
-        return false;
+    if (!a.workspace.isEmpty() && !b.workspace.isEmpty()) {
+        const QStringList both = a.workspace.split(QLatin1Char(' '));
+        const bool shared = std::any_of(both.begin(), both.end(),
+                                        [&](const QString& each) { return b.isOf(each); });
+        if (!shared) return false;
     }
     if (a.scopes.isEmpty() || b.scopes.isEmpty()) return true;
     return std::any_of(a.scopes.begin(), a.scopes.end(), [&](const QWidget* one) {

@@ -42,6 +42,7 @@ KeyEditor::KeyEditor(CommandTable& commands, QWidget* parent)
     search_->setToolTip(tr("Shows the commands whose name, menu or key holds these letters."));
     layout->addWidget(search_);
     tree_->setAccessibleName(tr("Commands and their keys"));
+    tree_->setToolTip(tr("Choose a command, then press its key in the field below"));
     tree_->setColumnCount(3);
     tree_->setHeaderLabels({tr("command"), tr("menu"), tr("keys")});
     tree_->setRootIsDecorated(false);
@@ -66,6 +67,7 @@ KeyEditor::KeyEditor(CommandTable& commands, QWidget* parent)
     conflict_->setMinimumHeight(2 * fontMetrics().height() + 4);
     conflict_->setAlignment(Qt::AlignTop);
     layout->addWidget(conflict_);
+    assign_->setToolTip(tr("The chosen command gets the key in the field."));
     remove_->setToolTip(tr("The chosen command is run from menus and the palette only."));
     reset_->setToolTip(tr("The chosen command gets back the keys that the studio brings."));
     resetAll_->setToolTip(tr("All commands get back the keys that the studio brings."));

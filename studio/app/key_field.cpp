@@ -31,7 +31,9 @@ KeyField::KeyField(QWidget* parent) : QLineEdit(parent) {
     setReadOnly(true);
     setPlaceholderText(tr("Press a key"));
     setAccessibleName(tr("New key"));
-    setToolTip(tr("Click here and press the key, alone or with Ctrl, Shift, Alt."));
+    setToolTip(
+        tr("Press the key here, alone or with Ctrl, Shift, Alt; then Tab goes on, and "
+           "Shift+Tab always goes back"));
 }
 
 void KeyField::setKey(const QKeySequence& key) {
@@ -48,6 +50,9 @@ bool KeyField::event(QEvent* event) {
     }
     if (event->type() == QEvent::KeyPress) {
         const auto* press = static_cast<QKeyEvent*>(event);
+        // The way out for hands without a mouse: back at any time, on once a key is there.
+        const bool on = press->key() == Qt::Key_Tab && !key_.isEmpty();
+        if (press->key() == Qt::Key_Backtab || on) return QLineEdit::event(event);
         const QKeySequence pressed = keyOf(press->modifiers(), press->key(), press->text());
         if (!pressed.isEmpty()) setKey(pressed);
         event->accept();

@@ -24,7 +24,9 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr int kColumns = 3;
+constexpr int kColumnWidth = 286;
+constexpr int kMostColumns = 4;
+constexpr int kKeysWidth = 100;
 
 /// Only the rows that hold what was typed.
 std::vector<KeyGroup> found(const std::vector<KeyGroup>& groups, const QString& typed) {
@@ -56,12 +58,39 @@ QWidget* groupBox(const KeyGroup& group, QWidget* parent) {
         auto* keys = new QLabel(group.rows[i].keys, box);
         auto* text = new QLabel(group.rows[i].text, box);
         text->setProperty("role", "second");
+        keys->setFixedWidth(kKeysWidth);
+        for (QLabel* label : {keys, text}) {
+            label->setWordWrap(true);
+            label->setAlignment(Qt::AlignTop);
+        }
         rows->addWidget(keys, static_cast<int>(i) + 1, 0);
         rows->addWidget(text, static_cast<int>(i) + 1, 1);
     }
-    rows->setColumnMinimumWidth(0, 110);
     rows->setColumnStretch(1, 1);
     return box;
+}
+
+std::size_t linesOf(const KeyGroup& group) {
+    return group.rows.size() + 2;
+}
+
+/// The least number of lines in which the groups, in their order, fit into so many columns.
+std::size_t columnLength(const std::vector<KeyGroup>& groups, int columns) {
+    std::size_t length = 0;
+    for (const KeyGroup& group : groups)
+        length = std::max(length, linesOf(group));
+    for (;; ++length) {
+        int needed = 1;
+        std::size_t used = 0;
+        for (const KeyGroup& group : groups) {
+            if (used + linesOf(group) > length) {
+                ++needed;
+                used = 0;
+            }
+            used += linesOf(group);
+        }
+        if (needed <= columns) return length;
+    }
 }
 
 QString htmlOf(const std::vector<KeyGroup>& groups) {
@@ -102,6 +131,7 @@ std::vector<KeyGroup> keyGroups(const CommandTable& commands) {
                        {KeysPage::tr("drag a loop end on the ruler"), KeysPage::tr("move it")},
                        {KeysPage::tr("click, double-click an action"),
                         KeysPage::tr("select it; show and loop it")},
+                       {KeysPage::tr("right click"), KeysPage::tr("what can be done there")},
                        {KeysPage::tr("wheel, Shift+wheel, middle drag"), KeysPage::tr("scroll")},
                        {KeysPage::tr("Ctrl+wheel"), KeysPage::tr("zoom about the pointer")}}});
     groups.push_back({KeysPage::tr("Mouse in the 3D view"),
@@ -109,6 +139,7 @@ std::vector<KeyGroup> keyGroups(const CommandTable& commands) {
                        {KeysPage::tr("middle or Shift+drag"), KeysPage::tr("move")},
                        {KeysPage::tr("wheel"), KeysPage::tr("zoom about the pointer")},
                        {KeysPage::tr("click a fighter"), KeysPage::tr("make it the active one")},
+                       {KeysPage::tr("right click"), KeysPage::tr("what can be done there")},
                        {KeysPage::tr("measuring: click joints"),
                         KeysPage::tr("distance; over a joint: its speed")}}});
     return groups;
@@ -126,6 +157,7 @@ KeysPage::KeysPage(const CommandTable& commands, QWidget* parent)
     layout->setSpacing(12);
     search_->setPlaceholderText(tr("Search keys and commands"));
     search_->setAccessibleName(tr("Search keys and commands"));
+    search_->setToolTip(tr("Shows the lines that hold these letters"));
     search_->setClearButtonEnabled(true);
     layout->addWidget(search_);
     scroll_->setFrameShape(QFrame::NoFrame);
@@ -143,43 +175,50 @@ KeysPage::KeysPage(const CommandTable& commands, QWidget* parent)
         button->setAutoDefault(false);
     connect(pdf, &QPushButton::clicked, this, &KeysPage::askForFile);
     connect(remap, &QPushButton::clicked, this, &KeysPage::remapWanted);
+    buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close this page (Esc)"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
     connect(search_, &QLineEdit::textChanged, this, &KeysPage::fill);
     connect(&commands_, &CommandTable::renamed, this, &KeysPage::fill, Qt::QueuedConnection);
     fill();
-    // As large as its content where the screen has room for it.
-    const QSize content = scroll_->widget()->sizeHint();
     const QSize screen = QGuiApplication::primaryScreen()->availableSize();
-    resize(std::min(content.width() + 64, screen.width() - 40),
-           std::min(content.height() + 140, screen.height() - 60));
+    resize(QSize(1220, 760).boundedTo(screen - QSize(40, 60)));
     search_->setFocus();
 }
 
+void KeysPage::resizeEvent(QResizeEvent* event) {
+    QDialog::resizeEvent(event);
+    if (columnCount() != columns_) fill();
+}
+
+int KeysPage::columnCount() const {
+    return std::clamp((width() - 60) / kColumnWidth, 1, kMostColumns);
+}
+
 void KeysPage::fill() {
+    columns_ = columnCount();
     auto* content = new QWidget(scroll_);
     auto* columns = new QHBoxLayout(content);
     columns->setContentsMargins(0, 0, 8, 0);
-    columns->setSpacing(32);
+    columns->setSpacing(24);
     const auto groups = found(keyGroups(commands_), search_->text().trimmed());
-    std::size_t lines = 0;
-    for (const KeyGroup& group : groups)
-        lines += group.rows.size() + 2;
-    // Columns of about equal length.
+    const std::size_t length = columnLength(groups, columns_);
     QVBoxLayout* column = nullptr;
     std::size_t used = 0;
     for (const KeyGroup& group : groups) {
-        const bool full = used + group.rows.size() / 2 > lines / kColumns;
-        if (column == nullptr || (full && columns->count() < kColumns)) {
+        if (column == nullptr || used + linesOf(group) > length) {
             if (column != nullptr) column->addStretch(1);
             column = new QVBoxLayout;
             column->setSpacing(0);
-            columns->addLayout(column);
+            columns->addLayout(column, 1);
             used = 0;
         }
         column->addWidget(groupBox(group, content));
-        used += group.rows.size() + 2;
+        used += linesOf(group);
     }
+    // Few answers to a search are no wider than all.
+    while (column != nullptr && columns->count() < columns_)
+        columns->addStretch(1);
     if (column != nullptr) {
         column->addStretch(1);
     } else {

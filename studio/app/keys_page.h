@@ -27,7 +27,7 @@ struct KeyGroup {
 std::vector<KeyGroup> keyGroups(const CommandTable& commands);
 
 /// All commands that have keys, in groups, and what the mouse does: made from the command table.
-/// Can be searched and written to a PDF for the wall.
+/// As many columns as there is room for; can be searched and written to a PDF for the wall.
 class KeysPage : public QDialog {
     Q_OBJECT
 
@@ -41,7 +41,11 @@ Q_SIGNALS:
     /// The user wants other keys.
     void remapWanted();
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
+    int columnCount() const;
     void fill();
     void askForFile();
 
@@ -49,6 +53,7 @@ private:
     QLineEdit* search_;
     QScrollArea* scroll_;
     QLabel* problem_;
+    int columns_ = 1;
 };
 
 }  // namespace kumite::studio

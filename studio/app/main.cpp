@@ -1,15 +1,18 @@
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QScopeGuard>
 #include <QSettings>
 
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <optional>
 
 #include "core/base/text.h"
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/icons.h"
+#include "studio/app/loop_watch.h"
 #include "studio/app/main_window.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
@@ -32,6 +35,7 @@ struct Wishes {
     std::optional<ThemeChoice> theme;
     std::optional<double> time;
     std::optional<double> rate;
+    bool watch = false;
 };
 
 [[noreturn]] void refuse(const QString& sentence) {
@@ -61,6 +65,9 @@ Wishes readCommandLine(const QApplication& application) {
          {"rate", "Frame rate of the recordings, where their headers are wrong.", "HZ"},
          {"run", "Run a command once everything is open, such as help.keys; may be given again.",
           "COMMAND"},
+         {"watch",
+          "Tell on standard error when the window does not answer for more than 50 ms, and the "
+          "longest such time at the end."},
          {"script", "Run the commands of a file, one a line; see studio/app/script.h.", "FILE"}});
     parser.process(application);
     Wishes wishes;
@@ -72,6 +79,7 @@ Wishes readCommandLine(const QApplication& application) {
         wishes.script = *lines;
     }
     wishes.script += parser.values("run");
+    wishes.watch = parser.isSet("watch");
     wishes.time = numberOption(parser, "time");
     wishes.rate = numberOption(parser, "rate");
     const QString theme = parser.value("theme");
@@ -97,6 +105,21 @@ void openFiles(MainWindow& window, const Wishes& wishes) {
     } else {
         window.files().open(wishes.files);
     }
+}
+
+/// Says on standard error what keeps the window from answering.
+std::unique_ptr<LoopWatch> watchLoop(const CommandTable& commands) {
+    auto watch = std::make_unique<LoopWatch>();
+    QObject::connect(&commands, &CommandTable::running, watch.get(), &LoopWatch::note);
+    QObject::connect(watch.get(), &LoopWatch::blocked, watch.get(), [](const LoopGap& gap) {
+        std::fprintf(stderr, "no answer for %s\n", qPrintable(gap.text()));
+    });
+    return watch;
+}
+
+void reportWatch(const LoopWatch& watch) {
+    std::fprintf(stderr, "longest time without an answer: %s; %zu above %.0f ms\n",
+                 qPrintable(watch.longest().text()), watch.gaps().size(), LoopWatch::kBlink);
 }
 
 /// Asks what to do with what an unexpected end left behind, if anything is there.
@@ -141,9 +164,13 @@ int main(int argc, char** argv) {
     if (wishes.theme) window.setTheme(*wishes.theme);
     if (!wishes.size.isEmpty()) window.resize(wishes.size);
     window.show();
+    const auto watch = wishes.watch ? watchLoop(window.commands()) : nullptr;
+    const auto whenLeft = qScopeGuard([&watch] {
+        if (watch) reportWatch(*watch);
+    });
     openFiles(window, wishes);
     if (picture) {
-        if (!runScript(window, wishes.script)) return 1;
+        if (!runScript(window, wishes.script, watch.get())) return 1;
         return takePicture(window, wishes.picture, wishes.time) ? 0 : 1;
     }
     Recovery recovery(window.session());
@@ -158,7 +185,7 @@ int main(int argc, char** argv) {
         window.session().transport().setPlayhead(*wishes.time);
     }
     offerRecovery(window, recovery);
-    if (!runScript(window, wishes.script)) return 1;
+    if (!runScript(window, wishes.script, watch.get())) return 1;
     if (!window.isVisible()) return 0;  // a command has quit already
     return QApplication::exec();
 }

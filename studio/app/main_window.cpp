@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
-#include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSplitter>
@@ -19,6 +18,7 @@
 #include <algorithm>
 
 #include "studio/app/command_palette.h"
+#include "studio/app/command_words.h"
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
@@ -26,6 +26,7 @@
 #include "studio/app/key_bindings.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/recent_files.h"
+#include "studio/app/status_line.h"
 #include "studio/app/system_theme.h"
 #include "studio/app/welcome_page.h"
 #include "studio/app/workspaces.h"
@@ -33,6 +34,8 @@
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/graph/graph_session.h"
+#include "studio/workspaces/label/label_session.h"
 
 namespace kumite::studio {
 
@@ -75,11 +78,13 @@ MainWindow::MainWindow(QWidget* parent)
     addPlaybackCommands();
     addTimelineCommands();
     addViewCommands();
+    addCommandWords(*commands_);
     loadKeys(*commands_);
     refreshIcons();
     commands_->fillMenus(menuBar());
     layOutTopBar();
     documentPanel_->addCommands(*commands_);
+    addContextMenus();
     auto* box = static_cast<QVBoxLayout*>(timelineBox_->layout());
     box->insertWidget(0, new TransportBar(session_, *commands_, timelineBox_));
     welcome_ = new WelcomePage(*commands_, pages_);
@@ -90,8 +95,8 @@ MainWindow::MainWindow(QWidget* parent)
     showFindingsCount();
     commands_->refresh();
     refreshTitle();
-    showStatus({});
     restoreLayout();
+    showKeysHint();
     qApp->installEventFilter(this);
 }
 
@@ -106,11 +111,17 @@ void MainWindow::layOut() {
     rows_ = new QSplitter(Qt::Vertical, pages_);
     columns_ = new QSplitter(Qt::Horizontal, rows_);
     documentPanel_ = new DocumentPanel(session_, columns_);
-    stage_ = new StageView(session_, columns_);
+    content_ = new QSplitter(Qt::Horizontal, columns_);
+    stage_ = new StageView(session_, content_);
+    centres_ = new QStackedWidget(content_);
+    content_->addWidget(stage_);
+    content_->addWidget(centres_);
+    content_->setStretchFactor(0, 2);
+    content_->setStretchFactor(1, 3);
     rightPanel_ = new QStackedWidget(columns_);
-    workspaces_ = new Workspaces(*commands_, rightPanel_, this);
+    workspaces_ = new Workspaces(*commands_, rightPanel_, centres_, this);
     columns_->addWidget(documentPanel_);
-    columns_->addWidget(stage_);
+    columns_->addWidget(content_);
     columns_->addWidget(rightPanel_);
     timelineBox_ = new QWidget(rows_);
     auto* box = new QVBoxLayout(timelineBox_);
@@ -120,7 +131,7 @@ void MainWindow::layOut() {
     box->addWidget(timeline_, 1);
     rows_->addWidget(columns_);
     rows_->addWidget(timelineBox_);
-    for (QSplitter* splitter : {rows_, columns_}) {
+    for (QSplitter* splitter : {rows_, columns_, content_}) {
         splitter->setHandleWidth(1);
         splitter->setChildrenCollapsible(false);
     }
@@ -135,9 +146,7 @@ void MainWindow::layOut() {
     palette_ = new CommandPalette(*commands_, pages_);
     files_ = new FileActions(session_, *strip_, this);
 
-    status_ = new QLabel(this);
-    status_->setContentsMargins(8, 0, 8, 0);
-    status_->setMinimumWidth(1);
+    status_ = new StatusLine(this);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->addWidget(status_, 1);
     findingsButton_ = new QToolButton(this);
@@ -146,6 +155,7 @@ void MainWindow::layOut() {
     auto* jobs = new JobBar(this);
     jobs->watch(files_->jobs());
     jobs->watch(files_->writing());
+    jobs->watch(files_->exporting());
     jobs->watch(session_.document().jobs());
     statusBar()->addPermanentWidget(jobs);
 }
@@ -162,18 +172,26 @@ void MainWindow::listen() {
         applyPlaybackPreferences();
         pages_->setCurrentWidget(rows_);
         timeline_->setFocus();
-        showStatus({});
+        showKeysHint();
         // The view has its size only after it was laid out.
         QTimer::singleShot(0, stage_, &StageView::frameAll);
     });
     connect(&session_.transport(), &Transport::stateChanged, this, [this] {
         commands_->refresh();
         refreshIcons();
+        showKeysHint();
     });
-    connect(&session_, &Session::selectionChanged, commands_, &CommandTable::refresh);
-    connect(&session_, &Session::hovered, this, &MainWindow::showStatus);
-    connect(&session_, &Session::hinted, this, &MainWindow::showStatus);
-    connect(files_, &FileActions::reported, this, &MainWindow::showStatus);
+    connect(&session_, &Session::selectionChanged, this, [this] {
+        commands_->refresh();
+        showKeysHint();
+    });
+    connect(&session_, &Session::hovered, status_, &StatusLine::setPointer);
+    connect(&session_, &Session::hinted, status_, &StatusLine::say);
+    connect(files_, &FileActions::reported, status_, &StatusLine::say);
+    // What was said before belongs to what was done before.
+    connect(commands_, &CommandTable::running, status_, [this] { status_->say({}); });
+    connect(&session_, &Session::takeChanged, status_, [this] { status_->say({}); });
+    connect(stage_, &StageView::switchesChanged, this, &MainWindow::showKeysHint);
     connect(files_, &FileActions::opened, this, [this](const QStringList& files) {
         rememberFiles(files);
         welcome_->refresh();
@@ -184,12 +202,13 @@ void MainWindow::listen() {
     connect(findingsButton_, &QToolButton::clicked, this, &MainWindow::showFindings);
     connect(systemTheme_, &SystemTheme::changed, this, &MainWindow::followSystemTheme);
     connect(&preferences_, &Preferences::changed, this, &MainWindow::applyPreferences);
-    connect(workspaces_, &Workspaces::changed, this, [this] { showStatus({}); });
-    connect(commands_, &CommandTable::renamed, this, [this] { showStatus({}); });
+    connect(workspaces_, &Workspaces::changed, this, &MainWindow::showKeysHint);
+    connect(commands_, &CommandTable::renamed, this, &MainWindow::showKeysHint);
 }
 
 bool MainWindow::isBusy() const {
-    return files_->isBusy() || !session_.document().isCurrent();
+    return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
+           (labels_->isActive() && labels_->isLearning()) || graph_->isLearning();
 }
 
 void MainWindow::shareSpace() {
@@ -200,8 +219,10 @@ void MainWindow::shareSpace() {
     const int timeline = std::max(std::clamp(height / 4, 176, 300), wished);
     rows_->setSizes({height - timeline - 1, timeline});
     const int left = width() < 1600 ? 136 : 176;
-    const int right = width() < 1600 ? 224 : 256;
-    columns_->setSizes({left, width() - left - right - 2, right});
+    const int right = width() < 1600 ? 232 : 264;
+    const int middle = width() - left - right - 2;
+    columns_->setSizes({left, middle, right});
+    content_->setSizes({2 * middle / 5, middle - 2 * middle / 5});
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -225,8 +246,8 @@ void MainWindow::refreshIcons() {
         ->setIcon(lineIcon(QStringLiteral("pause"), coloursFor(palette()).text));
 }
 
-void MainWindow::showStatus(const QString& text) {
-    status_->setText(text.isEmpty() && session_.document().isOpen() ? keysHint() : text);
+void MainWindow::showKeysHint() {
+    status_->setKeys(session_.document().isOpen() ? keysHint() : QString());
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -264,14 +285,33 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
         // Undo in a field of a number takes back what the number did, not its digits.
-        const bool inNumber = qobject_cast<QAbstractSpinBox*>(watched) != nullptr ||
-                              qobject_cast<QAbstractSpinBox*>(watched->parent()) != nullptr;
-        if (inNumber && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+        auto* number = qobject_cast<QAbstractSpinBox*>(watched);
+        if (number == nullptr) number = qobject_cast<QAbstractSpinBox*>(watched->parent());
+        if (number != nullptr &&
+            (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo))) {
+            event->ignore();
+            return true;
+        }
+        if (number != nullptr && goesToCommands(*number, *key)) {
+            // The number is done: the keys that follow belong to the command, too.
+            timeline_->setFocus();
             event->ignore();
             return true;
         }
     }
     return QMainWindow::eventFilter(watched, event);
+}
+
+bool MainWindow::goesToCommands(const QWidget& field, const QKeyEvent& key) const {
+    // A number has no letters.
+    const bool letter =
+        key.key() >= Qt::Key_A && key.key() <= Qt::Key_Z && !(key.modifiers() & ~Qt::ShiftModifier);
+    if (!letter || field.window() != this) return false;
+    const QKeySequence pressed(key.keyCombination());
+    const auto& all = commands_->commands();
+    return std::any_of(all.begin(), all.end(), [&](const Command& command) {
+        return command.keys.contains(pressed) && commands_->isEnabled(command);
+    });
 }
 
 }  // namespace kumite::studio

@@ -10,7 +10,7 @@
 #include "studio/app/preferences_dialog.h"
 #include "studio/app/session.h"
 
-class QLabel;
+class QKeyEvent;
 class QSplitter;
 class QStackedWidget;
 class QToolButton;
@@ -21,9 +21,18 @@ class CommandPalette;
 class CommandTable;
 class DocumentPanel;
 class FileActions;
+class GraphCentre;
+class GraphSession;
+class LabelExchange;
+class LabelLanes;
+class LabelPanel;
+class LabelReview;
+class LabelSession;
+class LabelViews;
 class MessageStrip;
 class SegmentPanel;
 class StageView;
+class StatusLine;
 class SystemTheme;
 class TimelineView;
 class TransportBar;
@@ -52,6 +61,10 @@ public:
     Workspaces& workspaces() { return *workspaces_; }
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
+    GraphSession& graph() { return *graph_; }
+    GraphCentre& graphCentre() { return *graphCentre_; }
+    LabelSession& labels() { return *labels_; }
+    LabelReview& labelReview() { return *labelReview_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
 
@@ -80,10 +93,20 @@ private:
     void addEditCommands();
     void addTakeCommands();
     void addWorkspaces();
+    /// Of the menu Segment.
+    void addBoundaryCommand(const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            std::function<void()> run, bool newGroup = false,
+                            const QList<QWidget*>& scopes = {});
+    void addBoundaryCommands();
     void addSegmentCommands(SegmentPanel& panel);
+    void addLabelViewCommands(LabelViews& views);
+    void addLabelCommands(LabelPanel& panel);
+    void showLabelKeys();
+    void addGraphWorkspace();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
+    void addContextMenus();
     void layOut();
     void layOutTopBar();
     void listen();
@@ -95,8 +118,9 @@ private:
     void followSystemTheme();
     void refreshTitle();
     void refreshIcons();
-    void showStatus(const QString& text);
+    void showKeysHint();
     QString keysHint() const;
+    bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();
     void changeSpeed(int direction);
     void stepTake(int direction);
@@ -113,16 +137,24 @@ private:
     WelcomePage* welcome_ = nullptr;
     QSplitter* rows_ = nullptr;
     QSplitter* columns_ = nullptr;
+    QSplitter* content_ = nullptr;  ///< the 3D view and what a workspace shows beside it
     DocumentPanel* documentPanel_ = nullptr;
     QStackedWidget* rightPanel_ = nullptr;
+    QStackedWidget* centres_ = nullptr;
     Workspaces* workspaces_ = nullptr;
+    LabelSession* labels_ = nullptr;
+    LabelExchange* exchange_ = nullptr;
+    LabelReview* labelReview_ = nullptr;
+    LabelLanes* labelLanes_ = nullptr;
+    GraphSession* graph_ = nullptr;
+    GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;
     TimelineView* timeline_ = nullptr;
     MessageStrip* strip_ = nullptr;
     FileActions* files_ = nullptr;
-    QLabel* status_ = nullptr;
+    StatusLine* status_ = nullptr;
     QToolButton* findingsButton_ = nullptr;
     QPointer<QDialog> keysPage_;
     QPointer<PreferencesDialog> preferencesDialog_;

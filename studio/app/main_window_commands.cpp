@@ -105,13 +105,13 @@ void MainWindow::addEditCommands() {
                     tr("&Undo"),
                     {QKeySequence("Ctrl+Z")},
                     [this] { session_.document().undo(); },
-                    [this] { return session_.document().history().canUndo(); }});
+                    [this] { return session_.document().canUndo(); }});
     commands_->add({"edit.redo",
                     edit,
                     tr("&Redo"),
                     {QKeySequence("Ctrl+Y"), QKeySequence("Ctrl+Shift+Z")},
                     [this] { session_.document().redo(); },
-                    [this] { return session_.document().history().canRedo(); }});
+                    [this] { return session_.document().canRedo(); }});
     commands_->add({"app.palette",
                     grouped(edit),
                     tr("Run a &command by name…"),

@@ -3,21 +3,40 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QListView>
 #include <QMenuBar>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTableView>
 #include <QTimer>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/fighter_properties.h"
 #include "studio/app/keys_page.h"
 #include "studio/app/main_window.h"
+#include "studio/app/message_strip.h"
 #include "studio/app/system_theme.h"
 #include "studio/app/workspaces.h"
+#include "studio/jobs/job_bar.h"
+#include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/graph/graph_centre.h"
+#include "studio/workspaces/graph/graph_commands.h"
+#include "studio/workspaces/graph/graph_panel.h"
+#include "studio/workspaces/graph/graph_session.h"
+#include "studio/workspaces/graph/surprise_strip.h"
+#include "studio/workspaces/graph/trace_box.h"
+#include "studio/workspaces/graph/what_if_box.h"
+#include "studio/workspaces/label/label_exchange.h"
+#include "studio/workspaces/label/label_lanes.h"
+#include "studio/workspaces/label/label_panel.h"
+#include "studio/workspaces/label/label_review.h"
+#include "studio/workspaces/label/label_session.h"
+#include "studio/workspaces/label/label_views.h"
 #include "studio/workspaces/segment/segment_panel.h"
 
 namespace kumite::studio {
@@ -27,7 +46,57 @@ void MainWindow::addWorkspaces() {
     workspaces_->add({"segment", tr("Segment"), "segment",
                       tr("Correct the boundaries that cut the bout into actions."), segment,
                       [this, segment] { addSegmentCommands(*segment); }});
+    commands_->addFor(QStringLiteral("segment label"), [this] { addBoundaryCommands(); });
+    labels_ = new LabelSession(session_, this);
+    labelReview_ = new LabelReview(*labels_, this);
+    labelLanes_ = new LabelLanes(*labels_, *labelReview_, this);
+    exchange_ = new LabelExchange(session_, *strip_, this);
+    auto* label = new LabelViews(*labelReview_, *commands_, rightPanel_);
+    workspaces_->add({"label", tr("Label"), "label",
+                      tr("Say what a few actions are; the machine says it of the rest."), label,
+                      [this, label] {
+                          addLabelCommands(label->label());
+                          addLabelViewCommands(*label);
+                      }});
+    connect(workspaces_, &Workspaces::changed, this, [this] {
+        const bool shown = workspaces_->current() == QLatin1String("label");
+        // Once it has been shown it goes on learning.
+        if (shown) labels_->setActive(true);
+        timeline_->setLanes(shown ? labelLanes_ : nullptr);
+        if (!spaceShared_) shareSpace();
+    });
+    addGraphWorkspace();
     workspaces_->addSwitchCommands(tr("&View"));
+}
+
+void MainWindow::addGraphWorkspace() {
+    graph_ = new GraphSession(session_, this);
+    findChild<JobBar*>()->watch(graph_->jobs());
+    connect(&graph_->jobs(), &JobRunner::failed, strip_, &MessageStrip::showError);
+    auto* panel = new GraphPanel(*graph_, rightPanel_);
+    graphCentre_ = new GraphCentre(*graph_, centres_);
+    auto* strip = new SurpriseStrip(*graph_, *timeline_, timelineBox_);
+    static_cast<QVBoxLayout*>(timelineBox_->layout())->insertWidget(0, strip);
+    workspaces_->add({"graph", tr("Graph"), "graph",
+                      tr("What each fighter tends to do next, and the moments behind it."), panel,
+                      [this, panel] {
+                          const QList<QWidget*> views = {stage_, timelineBox_, graphCentre_,
+                                                         panel->trace().table(),
+                                                         panel->whatIf().list()};
+                          addGraphCommands(*commands_, *graph_, *graphCentre_, views);
+                      },
+                      graphCentre_});
+    graphCentre_->addStep(tr("Label actions"), tr("Go to the Label workspace"),
+                          [this] { workspaces_->show(QStringLiteral("label")); });
+    graphCentre_->addStep(tr("Take over labels…"),
+                          tr("From a table of labels, or a made bout's truth"),
+                          [this] { exchange_->askForImport(); });
+    const auto follow = [this, strip] {
+        graph_->setActive(workspaces_->current() == QLatin1String("graph"));
+        strip->setVisible(graph_->isActive() && graph_->hasGraph());
+    };
+    connect(workspaces_, &Workspaces::changed, graph_, follow);
+    follow();
 }
 
 void MainWindow::layOutTopBar() {
@@ -38,15 +107,15 @@ void MainWindow::layOutTopBar() {
     row->addWidget(new WorkspaceBar(*workspaces_, bar));
     auto* run = new QToolButton(bar);
     run->setProperty("role", "small");
-    run->setFocusPolicy(Qt::NoFocus);
+    run->setFocusPolicy(Qt::TabFocus);
     QAction* action = commands_->action("app.palette");
     const auto name = [this, run, action] {
         run->setText(commands_->find("app.palette")->keysText());
-        run->setToolTip(action->toolTip());
         run->setAccessibleName(commands_->find("app.palette")->plainText());
     };
     name();
     connect(commands_, &CommandTable::renamed, run, name);
+    commands_->tellKey(run, "app.palette");
     connect(run, &QToolButton::clicked, action, &QAction::trigger);
     row->addWidget(run);
     menuBar()->setCornerWidget(bar, Qt::TopRightCorner);
@@ -71,7 +140,8 @@ void MainWindow::restoreLayout() {
     columnsState_ = settings.value(QStringLiteral("columns")).toByteArray();
     spaceShared_ = rows_->restoreState(settings.value(QStringLiteral("rows")).toByteArray()) &&
                    columns_->restoreState(columnsState_);
-    for (QSplitter* splitter : {rows_, columns_}) {
+    content_->restoreState(settings.value(QStringLiteral("content")).toByteArray());
+    for (QSplitter* splitter : {rows_, columns_, content_}) {
         connect(splitter, &QSplitter::splitterMoved, this, [this] { spaceShared_ = true; });
     }
     workspaces_->show(settings.value(QStringLiteral("workspace")).toString());
@@ -83,6 +153,7 @@ void MainWindow::saveLayout() const {
     settings.setValue(QStringLiteral("geometry"), saveGeometry());
     if (spaceShared_) {
         settings.setValue(QStringLiteral("rows"), rows_->saveState());
+        settings.setValue(QStringLiteral("content"), content_->saveState());
         settings.setValue(QStringLiteral("columns"),
                           panelsShown_ ? columns_->saveState() : columnsState_);
     }
@@ -119,20 +190,40 @@ QString MainWindow::keysHint() const {
     struct Entry {
         QStringList commands;
         QString text;
+        bool holds = true;
     };
+    const bool playing = session_.transport().isPlaying();
+    const bool measuring = stage_->isMeasuring();
+    const bool boundary = session_.selection().has_value();
+    const bool action = session_.selectedAction().has_value();
     const QList<Entry> entries = {
-        {{"transport.play"}, tr("play")},
-        {{"review.next"}, tr("next suspect")},
-        {{"review.accept"}, tr("keep")},
-        {{"review.reject"}, tr("remove")},
+        {{"view.previousJoint", "view.nextJoint"}, tr("joint"), measuring},
+        {{"view.takeJoint"}, tr("measure from or to it"), measuring},
+        {{"fighter.other"}, tr("other fighter"), measuring},
+        {{"view.leaveMeasuring"}, tr("leave measuring"), measuring},
+        {{"transport.play"}, playing ? tr("pause") : tr("play")},
+        {{"review.next"}, tr("next suspect"), !measuring},
+        {{"review.accept"}, tr("keep"), boundary && !measuring},
+        {{"review.reject"}, tr("remove"), boundary && !measuring},
+        {{"action.previous", "action.next"}, tr("action"), action && !measuring},
+        {{"action.note"}, tr("note"), action && !measuring},
+        {{"label.next"}, tr("next question"), !measuring},
+        {{"label.accept"}, tr("accept"), !measuring},
+        {{"label.reject"}, tr("second best"), !measuring},
+        {{"label.laneUp", "label.laneDown"}, tr("lane"), !measuring},
+        {{"label.class1"}, tr("… its classes"), !measuring},
+        {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
+        {{"graph.play"}, tr("play what is behind"), !measuring},
+        {{"graph.view"}, tr("matrix or graph"), !measuring},
         {{"transport.back", "transport.on"}, tr("frame")},
-        {{"boundary.previous", "boundary.next"}, tr("boundary")},
-        {{"boundary.add"}, tr("add")},
-        {{"app.palette"}, tr("any command")},
-        {{"help.keys"}, tr("all keys")},
+        {{"boundary.previous", "boundary.next"}, tr("boundary"), !measuring},
+        {{"boundary.add"}, tr("add"), !measuring && !boundary},
+        {{"app.palette"}, tr("any command"), !measuring},
+        {{"help.keys"}, tr("all keys"), !measuring},
     };
     QStringList parts;
     for (const Entry& entry : entries) {
+        if (!entry.holds) continue;
         QStringList keys;
         for (const QString& id : entry.commands) {
             const Command* command = commands_->find(id);

@@ -4,6 +4,7 @@
 #include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/main_window.h"
+#include "studio/app/status_line.h"
 #include "studio/app/takes_list.h"
 #include "studio/view3d/stage_view.h"
 
@@ -112,8 +113,8 @@ void MainWindow::removeShownTake() {
     const bool removed = session_.document().apply(
         [this](const Project& project) { return removeTake(project, session_.take()); });
     if (removed) {
-        showStatus(tr("Removed take %1. %2 brings it back.")
-                       .arg(name, commands_->find("edit.undo")->keysText()));
+        status_->say(tr("Removed take %1. %2 brings it back.")
+                         .arg(name, commands_->find("edit.undo")->keysText()));
     }
 }
 

@@ -53,6 +53,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, CommandTable& com
     defaults->setAutoDefault(false);
     defaults->setToolTip(tr("All values of the General page as the studio brings them."));
     connect(defaults, &QPushButton::clicked, this, [this] { preferences_.set({}); });
+    buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close this page (Esc)"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(pages_, &QTabWidget::currentChanged, this,
             [defaults](int page) { defaults->setVisible(page == GeneralPage); });

@@ -32,6 +32,7 @@ RecoveryDialog::RecoveryDialog(std::vector<RecoveryCopy> copies, QWidget* parent
     text->setWordWrap(true);
     layout->addWidget(text);
     list_->setAccessibleName(tr("Projects that can be recovered"));
+    list_->setToolTip(tr("What was not saved; a double-click recovers it"));
     list_->setHeaderLabels({tr("Project"), tr("Last edit"), tr("Not saved"), tr("Folder")});
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);

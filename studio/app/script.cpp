@@ -6,6 +6,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/loop_watch.h"
 #include "studio/app/main_window.h"
 #include "studio/app/picture.h"
 
@@ -22,6 +23,8 @@ bool runLine(MainWindow& window, const QStringList& words) {
         window.session().setTake(static_cast<int>(number) - 1);
     } else if (verb == QLatin1String("wait")) {
         letWork(static_cast<int>(number));
+    } else if (verb == QLatin1String("idle")) {
+        waitWhileBusy(window);
     } else if (verb == QLatin1String("import")) {
         window.files().showImportDialog(words.mid(1));
     } else if (verb == QLatin1String("save")) {
@@ -36,9 +39,10 @@ bool runLine(MainWindow& window, const QStringList& words) {
 
 }  // namespace
 
-bool runScript(MainWindow& window, const QStringList& lines) {
+bool runScript(MainWindow& window, const QStringList& lines, LoopWatch* watch) {
     if (!lines.isEmpty()) waitWhileBusy(window);
     for (const QString& line : lines) {
+        if (watch != nullptr) watch->note(line);
         const QStringList words = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
         if (words.isEmpty() || !runLine(window, words)) {
             std::fprintf(stderr, "kumite-studio: cannot run \"%s\".\n", qPrintable(line));

@@ -6,6 +6,7 @@
 
 namespace kumite::studio {
 
+class LoopWatch;
 class MainWindow;
 
 /// Runs commands in the window as keys would, once nothing is read or computed any more: names of
@@ -14,11 +15,13 @@ class MainWindow;
 ///   time S          moves the playhead
 ///   take N          shows a take, counted from 1
 ///   wait MS         lets the window work
+///   idle            lets it work until nothing is read or computed
 ///   import FILE…    opens the import dialog on recordings
 ///   save FILE       saves under a name
 /// After each the line is written to standard output, so that whoever drives the studio knows how
-/// far it is. False, with a sentence on standard error, at the first line that cannot be run.
-bool runScript(MainWindow& window, const QStringList& lines);
+/// far it is, and noted with the watch. False, with a sentence on standard error, at the first line
+/// that cannot be run.
+bool runScript(MainWindow& window, const QStringList& lines, LoopWatch* watch = nullptr);
 
 /// The lines of a file that say something; nothing where it cannot be read.
 std::optional<QStringList> scriptLines(const QString& file);

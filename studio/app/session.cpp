@@ -144,6 +144,12 @@ const Action* Session::actionOf(const ActionRef& action) const {
     return found ? kumite::actionAt(*found->segmentation, action.peak) : nullptr;
 }
 
+int Session::numberOf(const ActionRef& action) const {
+    const Action* found = actionOf(action);
+    if (found == nullptr) return -1;
+    return static_cast<int>(found - fighter(action.player)->segmentation->actions.data());
+}
+
 std::optional<ActionRef> Session::actionAt(int player, int frame) const {
     const Action* action = actionOf({player, frame});
     return action ? std::optional(ActionRef{player, action->peak}) : std::nullopt;
@@ -296,10 +302,10 @@ void Session::stepAction(int direction) {
     if (!now || now->player != activePlayer_) return;
     const FighterAnalysis* found = fighter(activePlayer_);
     const auto& actions = found->segmentation->actions;
-    const auto index = actionOf(*now) - actions.data();
+    const int index = numberOf(*now);
     // The first step selects the action at the playhead.
-    const auto next = selectedAction_ ? index + direction : index;
-    if (next < 0 || next >= static_cast<std::ptrdiff_t>(actions.size())) return;
+    const int next = selectedAction_ ? index + direction : index;
+    if (next < 0 || next >= static_cast<int>(actions.size())) return;
     const Action& action = actions[static_cast<std::size_t>(next)];
     selectAction(ActionRef{activePlayer_, action.peak});
     transport_.setPlayhead(timeOfFrame(found->input, action.begin));

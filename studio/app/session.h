@@ -2,7 +2,9 @@
 
 #include <QObject>
 
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/segmentation/boundary_comparison.h"
@@ -74,6 +76,8 @@ public:
     void selectAction(std::optional<ActionRef> action);
     /// Null where there is no such action (any more).
     const Action* actionOf(const ActionRef& action) const;
+    /// Which of the fighter's actions it is, from 0; -1 where there is none such.
+    int numberOf(const ActionRef& action) const;
     /// The action of a player at a frame.
     std::optional<ActionRef> actionAt(int player, int frame) const;
     /// The selected action, else that of the active fighter at the playhead.
@@ -96,8 +100,15 @@ public:
     /// Scrolls so that a moment is visible.
     void reveal(double seconds);
 
-    // Edits, on behalf of all views. Each is one step of the history.
+    // Edits, on behalf of all views. Each is one step of the history. While derived values are
+    // being computed they wait for them (Document::whenCurrent).
 
+    /// Runs what edits the shown take. Where it has to wait it says so, and it is dropped, in a
+    /// sentence, if another take is shown by then.
+    void whenCurrent(const std::function<void()>& act);
+
+    /// Removes a boundary, or restores a removed one.
+    void setBoundaryLive(const BoundaryRef& boundary, bool live);
     /// Removes a live boundary, restores a removed one.
     void toggleBoundary(const BoundaryRef& boundary);
     /// The same for the selected boundary, else the one at the playhead.
@@ -109,8 +120,8 @@ public:
     /// Moves the selected boundary, else the one at the playhead, by frames.
     void nudgeBoundary(int frames);
     /// Says that a boundary is right; the same taken back.
-    bool acceptBoundary(const BoundaryRef& boundary);
-    bool withdrawAcceptance(const BoundaryRef& boundary);
+    void acceptBoundary(const BoundaryRef& boundary);
+    void withdrawAcceptance(const BoundaryRef& boundary);
     void setNote(const ActionRef& action, const QString& text);
 
     // Steps of the playhead.
@@ -133,7 +144,7 @@ Q_SIGNALS:
     void comparisonChanged();
     /// One line for the status bar: what the pointer is on; empty: nothing.
     void hovered(const QString& text);
-    /// Something could not be done, in one quiet sentence.
+    /// Something could not be done, in one quiet sentence; empty: that holds no more.
     void hinted(const QString& sentence);
 
 private:

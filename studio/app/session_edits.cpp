@@ -5,15 +5,38 @@
 
 namespace kumite::studio {
 
+void Session::whenCurrent(const std::function<void()>& act) {
+    if (document_.isCurrent()) {
+        act();
+        return;
+    }
+    document_.whenCurrent([this, act, take = takeName_] {
+        if (takeName_ == take) {
+            Q_EMIT hinted({});
+            act();
+        } else {
+            Q_EMIT hinted(tr("The edit that waited was dropped: another take is shown."));
+        }
+    });
+    Q_EMIT hinted(tr("The edit waits until the force curves are computed."));
+}
+
+void Session::setBoundaryLive(const BoundaryRef& boundary, bool live) {
+    whenCurrent([this, boundary, live] {
+        document_.apply([&](const Project& project, const Analysis& analysis) {
+            const FighterAddress at = address(boundary.player);
+            return live ? restoreBoundary(project, analysis, at, boundary.frame)
+                        : removeBoundary(project, analysis, at, boundary.frame);
+        });
+    });
+}
+
 void Session::toggleBoundary(const BoundaryRef& boundary) {
     const BoundaryMark* mark = nearestMark(marks(boundary.player), boundary.frame, 0.5);
     if (mark == nullptr) return;
     const bool live = mark->isLive();
     select(boundary);
-    document_.apply([&](const Project& project, const Analysis& analysis) {
-        return live ? removeBoundary(project, analysis, address(boundary.player), boundary.frame)
-                    : restoreBoundary(project, analysis, address(boundary.player), boundary.frame);
-    });
+    setBoundaryLive(boundary, !live);
 }
 
 std::optional<BoundaryRef> Session::currentBoundary() {
@@ -36,20 +59,23 @@ void Session::toggleCurrentBoundary() {
 
 void Session::addBoundaryAtPlayhead() {
     if (fighter(activePlayer_) == nullptr) return;
-    const int player = activePlayer_;
-    const int frame = shownFrame(player);
-    const bool added = document_.apply([&](const Project& project, const Analysis& analysis) {
-        return addBoundary(project, analysis, address(player), frame);
+    const BoundaryRef boundary{activePlayer_, shownFrame(activePlayer_)};
+    whenCurrent([this, boundary] {
+        const bool added = document_.apply([&](const Project& project, const Analysis& analysis) {
+            return addBoundary(project, analysis, address(boundary.player), boundary.frame);
+        });
+        if (added) select(boundary);
     });
-    if (added) select(BoundaryRef{player, frame});
 }
 
 void Session::moveBoundary(const BoundaryRef& boundary, int toFrame) {
-    const bool moved = document_.apply([&](const Project& project, const Analysis& analysis) {
-        return kumite::moveBoundary(project, analysis, address(boundary.player), boundary.frame,
-                                    toFrame);
+    whenCurrent([this, boundary, toFrame] {
+        const bool moved = document_.apply([&](const Project& project, const Analysis& analysis) {
+            return kumite::moveBoundary(project, analysis, address(boundary.player), boundary.frame,
+                                        toFrame);
+        });
+        if (moved) goTo({boundary.player, toFrame});
     });
-    if (moved) goTo({boundary.player, toFrame});
 }
 
 void Session::mergeAction(int direction) {
@@ -66,8 +92,11 @@ void Session::mergeAction(int direction) {
     // The joined action stays the chosen one, so that the key can be pressed again.
     const bool chosen = selectedAction_.has_value();
     const int frame = action->begin + (action->end - action->begin) / 2;
-    toggleBoundary(border);
-    if (chosen) selectAction(actionAt(border.player, frame));
+    if (!chosen) select(border);
+    whenCurrent([this, border, chosen, frame] {
+        setBoundaryLive(border, false);
+        if (chosen) selectAction(actionAt(border.player, frame));
+    });
 }
 
 void Session::nudgeBoundary(int frames) {
@@ -81,23 +110,29 @@ void Session::nudgeBoundary(int frames) {
     moveBoundary(*boundary, boundary->frame + frames);
 }
 
-bool Session::acceptBoundary(const BoundaryRef& boundary) {
-    return document_.apply([&](const Project& project, const Analysis& analysis) {
-        return kumite::acceptBoundary(project, analysis, address(boundary.player), boundary.frame);
+void Session::acceptBoundary(const BoundaryRef& boundary) {
+    whenCurrent([this, boundary] {
+        document_.apply([&](const Project& project, const Analysis& analysis) {
+            return kumite::acceptBoundary(project, analysis, address(boundary.player),
+                                          boundary.frame);
+        });
     });
 }
 
-bool Session::withdrawAcceptance(const BoundaryRef& boundary) {
-    return document_.apply([&](const Project& project, const Analysis& analysis) {
-        return kumite::withdrawAcceptance(project, analysis, address(boundary.player),
-                                          boundary.frame);
+void Session::withdrawAcceptance(const BoundaryRef& boundary) {
+    whenCurrent([this, boundary] {
+        document_.apply([&](const Project& project, const Analysis& analysis) {
+            return kumite::withdrawAcceptance(project, analysis, address(boundary.player),
+                                              boundary.frame);
+        });
     });
 }
 
 void Session::setNote(const ActionRef& action, const QString& text) {
-    document_.apply([&](const Project& project, const Analysis& analysis) {
-        return kumite::setNote(project, analysis, address(action.player), action.peak,
-                               text.trimmed().toStdString());
+    whenCurrent([this, action, text = text.trimmed().toStdString()] {
+        document_.apply([&](const Project& project, const Analysis& analysis) {
+            return kumite::setNote(project, analysis, address(action.player), action.peak, text);
+        });
     });
 }
 

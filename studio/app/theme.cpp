@@ -81,8 +81,9 @@ QToolButton[role="small"][text] { padding: 1px 6px; color: @second; }
 QToolButton:hover { background: @hover; }
 QToolButton:checked { background: @hover; border: 1px solid @line; }
 QToolButton:focus { border: 1px solid @accent; }
-QAbstractItemView { background: @panel; border: none; outline: none;
+QAbstractItemView { background: @panel; border: 1px solid transparent; outline: none;
     selection-background-color: @chosen; selection-color: @text; }
+QAbstractItemView:focus { border: 1px solid @accent; }
 QAbstractItemView::item { padding: 2px 3px; border: none; }
 QAbstractItemView::item:hover { background: @hover; }
 QAbstractItemView::item:selected { background: @chosen; color: @text; }

@@ -31,6 +31,7 @@ VersionsDialog::VersionsDialog(const QString& project, QWidget* parent)
     text_->setWordWrap(true);
     layout->addWidget(text_);
     list_->setAccessibleName(tr("Versions, the newest first"));
+    list_->setToolTip(tr("States that were saved over; a double-click restores one"));
     list_->setHeaderLabels({tr("Saved"), tr("Takes"), tr("Corrections")});
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);

@@ -144,6 +144,24 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                   [view] { view->setMeasuring(!view->isMeasuring()); },
                   open,
                   [view] { return view->isMeasuring(); }});
+    commands.add({"view.nextJoint",
+                  menu,
+                  text("Measure: next joint"),
+                  {QKeySequence("Alt+PgDown")},
+                  [view] { view->stepJoint(1); },
+                  open});
+    commands.add({"view.previousJoint",
+                  menu,
+                  text("Measure: joint before"),
+                  {QKeySequence("Alt+PgUp")},
+                  [view] { view->stepJoint(-1); },
+                  open});
+    commands.add({"view.takeJoint",
+                  menu,
+                  text("Measure from, then to this joint"),
+                  {QKeySequence("Shift+M")},
+                  [view] { view->takeJoint(); },
+                  [view] { return view->isMeasuring(); }});
     // Enabled only while measuring, so that Esc keeps its other meanings.
     commands.add({"view.leaveMeasuring",
                   menu,
@@ -179,6 +197,16 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                  "view.addGhost", "view.clearGhosts"}));
     tools->setMeasureAction(commands.action(QStringLiteral("view.measure")));
     stage.setTools(tools);
+    const auto hint = [&commands, view] {
+        const auto key = [&commands](const char* id) {
+            return commands.find(QLatin1String(id))->keysText();
+        };
+        view->setMeasuringHint(
+            text("Click two joints; or %1 and %2 lead to a joint, %3 takes it")
+                .arg(key("view.nextJoint"), key("view.previousJoint"), key("view.takeJoint")));
+    };
+    hint();
+    QObject::connect(&commands, &CommandTable::renamed, &stage, hint);
     QObject::connect(&stage, &StageView::switchesChanged, &commands, &CommandTable::refresh);
 }
 

@@ -2,10 +2,13 @@
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 #include "studio/app/commands.h"
 #include "studio/app/recent_files.h"
@@ -116,9 +119,10 @@ void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
         button->setProperty("role", first ? "step" : "");
         button->setMinimumHeight(34);
         button->setFixedWidth(220);
-        button->setToolTip(action->toolTip());
+        commands.tellKey(button, command->id);
         connect(button, &QPushButton::clicked, action, &QAction::trigger);
         column->addWidget(button);
+        addChoice(steps_, button);
         first = false;
     }
     column->addSpacing(2);
@@ -128,9 +132,64 @@ void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
     drop->setFixedWidth(220);
     column->addWidget(drop);
     column->addStretch(1);
+    setFocusProxy(steps_.front());
+}
+
+void WelcomePage::addChoice(std::vector<QPushButton*>& column, QPushButton* button) {
+    button->installEventFilter(this);
+    column.push_back(button);
+}
+
+void WelcomePage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    setFocus();
+}
+
+bool WelcomePage::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return false;
+    return pressKey(static_cast<QPushButton*>(watched), static_cast<QKeyEvent*>(event)->key());
+}
+
+/// Whether the key meant something.
+bool WelcomePage::pressKey(QPushButton* button, int key) {
+    const auto isIn = [button](const std::vector<QPushButton*>& column) {
+        return std::find(column.begin(), column.end(), button) != column.end();
+    };
+    const bool inRecents = isIn(recents_);
+    const std::vector<QPushButton*>& own = inRecents ? recents_ : steps_;
+    const std::vector<QPushButton*>& other = inRecents ? steps_ : recents_;
+    const auto count = static_cast<std::ptrdiff_t>(own.size());
+    const auto row = std::find(own.begin(), own.end(), button) - own.begin();
+    const auto go = [](QPushButton* to) { to->setFocus(Qt::TabFocusReason); };
+    switch (key) {
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            button->click();
+            return true;
+        case Qt::Key_Up:
+        case Qt::Key_Down: {
+            const auto next = row + (key == Qt::Key_Down ? 1 : count - 1);
+            go(own[static_cast<std::size_t>(next % count)]);
+            return true;
+        }
+        case Qt::Key_Left:
+        case Qt::Key_Right:
+            if (inRecents != (key == Qt::Key_Left) || other.empty()) return true;
+            go(other[std::min(static_cast<std::size_t>(row), other.size() - 1)]);
+            return true;
+        case Qt::Key_Home:
+            go(own.front());
+            return true;
+        case Qt::Key_End:
+            go(own.back());
+            return true;
+        default:
+            return false;
+    }
 }
 
 void WelcomePage::refresh() {
+    recents_.clear();
     while (QLayoutItem* item = list_->takeAt(0)) {
         // One of the buttons may be on its way back from a click.
         if (item->widget()) item->widget()->deleteLater();
@@ -143,6 +202,7 @@ void WelcomePage::refresh() {
         connect(button, &QPushButton::clicked, this,
                 [this, files = bout.files] { Q_EMIT chosen(files); });
         list_->addWidget(button);
+        addChoice(recents_, button);
     }
     if (bouts.isEmpty()) {
         list_->addWidget(label(tr("Projects and recordings that you open appear here, with the "

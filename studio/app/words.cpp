@@ -67,7 +67,7 @@ QString reasonText(const SuspectReason& reason) {
             return words("%1 s from the next minimum, %2")
                 .arg(QString::number(reason.nearest, 'f', 2), prominence);
         case Kind::High:
-            return words("high at %1, %2").arg(bodyWeightsText(reason.force), prominence);
+            return words("hardly dips (to %1), %2").arg(bodyWeightsText(reason.force), prominence);
         case Kind::Unremarkable:
             break;
     }
@@ -86,7 +86,7 @@ QString shortReasonText(const SuspectReason& reason) {
         case Kind::Crowded:
             return words("crowded");
         case Kind::High:
-            return words("high");
+            return words("hardly dips");
         case Kind::Unremarkable:
             break;
     }

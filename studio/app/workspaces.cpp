@@ -14,11 +14,15 @@
 
 namespace kumite::studio {
 
-Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QObject* parent)
-    : QObject(parent), commands_(commands), panels_(panels) {}
+Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QStackedWidget* centres,
+                       QObject* parent)
+    : QObject(parent), commands_(commands), panels_(panels), centres_(centres) {
+    centres_->hide();
+}
 
 void Workspaces::add(Workspace workspace) {
     panels_->addWidget(workspace.panel);
+    if (workspace.centre != nullptr) centres_->addWidget(workspace.centre);
     if (workspace.addCommands) commands_.addFor(workspace.id, workspace.addCommands);
     const QString id = workspace.id;
     all_.push_back(std::move(workspace));
@@ -49,6 +53,8 @@ void Workspaces::show(const QString& id) {
     if (found == all_.end() || current_ == id) return;
     current_ = id;
     panels_->setCurrentWidget(found->panel);
+    if (found->centre != nullptr) centres_->setCurrentWidget(found->centre);
+    centres_->setVisible(found->centre != nullptr);
     commands_.showWorkspace(id);
     Q_EMIT changed();
 }

@@ -14,9 +14,9 @@ namespace kumite::studio {
 
 class CommandTable;
 
-/// A way to work on the open bout, such as Segment. It brings the panel at the right and commands
-/// whose menus and keys are there only while it is shown; 3D view, timeline and the left panel are
-/// shared.
+/// A way to work on the open bout, such as Segment. It brings the panel at the right, maybe a view
+/// beside the 3D view, and commands whose menus and keys are there only while it is shown; 3D view,
+/// timeline and the left panel are shared.
 struct Workspace {
     QString id;    ///< "segment"; also how the last one shown is remembered
     QString name;  ///< "Segment"
@@ -24,6 +24,7 @@ struct Workspace {
     QString tip;   ///< one sentence: what is done here
     QWidget* panel = nullptr;
     std::function<void()> addCommands = {};  ///< adds them to the window's table
+    QWidget* centre = nullptr;               ///< beside the 3D view; none: it has all the room
 };
 
 /// The workspaces of a window, in the order of the work, and which of them is shown.
@@ -31,8 +32,9 @@ class Workspaces : public QObject {
     Q_OBJECT
 
 public:
-    /// Panels are shown in `panels`.
-    Workspaces(CommandTable& commands, QStackedWidget* panels, QObject* parent = nullptr);
+    /// Panels are shown in `panels`, what they bring beside the 3D view in `centres`.
+    Workspaces(CommandTable& commands, QStackedWidget* panels, QStackedWidget* centres,
+               QObject* parent = nullptr);
 
     /// The first one that is added is shown.
     void add(Workspace workspace);
@@ -50,6 +52,7 @@ Q_SIGNALS:
 private:
     CommandTable& commands_;
     QStackedWidget* panels_;
+    QStackedWidget* centres_;
     std::vector<Workspace> all_;
     QString current_;
 };

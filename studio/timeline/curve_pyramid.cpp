@@ -11,24 +11,40 @@ CurveExtent joined(const CurveExtent& a, const CurveExtent& b) {
     return {std::min(a.low, b.low), std::max(a.high, b.high)};
 }
 
+template <typename Number>
+std::vector<CurveExtent> extentsOf(std::span<const Number> samples) {
+    std::vector<CurveExtent> extents;
+    extents.reserve(samples.size());
+    for (const Number sample : samples) {
+        const auto value = static_cast<float>(sample);
+        extents.push_back({value, value});
+    }
+    return extents;
+}
+
 }  // namespace
 
 CurvePyramid::CurvePyramid(std::span<const double> samples) {
-    std::vector<CurveExtent> level;
-    level.reserve(samples.size());
-    for (const double value : samples) {
-        level.push_back({static_cast<float>(value), static_cast<float>(value)});
-    }
-    while (!level.empty()) {
-        std::vector<CurveExtent> next;
-        if (level.size() > 1) {
-            next.reserve((level.size() + 1) / 2);
-            for (std::size_t i = 0; i < level.size(); i += 2) {
-                next.push_back(i + 1 < level.size() ? joined(level[i], level[i + 1]) : level[i]);
-            }
-        }
+    if (samples.empty()) return;
+    levels_.push_back(extentsOf(samples));
+    addLevels();
+}
+
+CurvePyramid::CurvePyramid(std::span<const float> samples) {
+    if (samples.empty()) return;
+    levels_.push_back(extentsOf(samples));
+    addLevels();
+}
+
+void CurvePyramid::addLevels() {
+    while (levels_.back().size() > 1) {
+        const std::vector<CurveExtent>& below = levels_.back();
+        std::vector<CurveExtent> level;
+        level.reserve((below.size() + 1) / 2);
+        for (std::size_t i = 0; i + 1 < below.size(); i += 2)
+            level.push_back(joined(below[i], below[i + 1]));
+        if (below.size() % 2 == 1) level.push_back(below.back());
         levels_.push_back(std::move(level));
-        level = std::move(next);
     }
 }
 

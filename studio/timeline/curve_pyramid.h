@@ -19,6 +19,7 @@ class CurvePyramid {
 public:
     CurvePyramid() = default;
     explicit CurvePyramid(std::span<const double> samples);
+    explicit CurvePyramid(std::span<const float> samples);
 
     std::size_t size() const { return levels_.empty() ? 0 : levels_.front().size(); }
     float at(std::size_t sample) const { return levels_.front()[sample].low; }
@@ -28,6 +29,8 @@ public:
     CurveExtent extent() const;
 
 private:
+    void addLevels();
+
     std::vector<std::vector<CurveExtent>> levels_;
 };
 

@@ -6,41 +6,33 @@
 
 namespace kumite::studio {
 
-namespace {
-
-/// The first sample at or after x, not limited to the curve.
-double firstSampleFrom(const SampleAxis& axis, double x) {
-    return std::ceil(axis.sampleAt(x));
-}
-
-std::size_t limited(double sample, std::size_t size) {
-    return static_cast<std::size_t>(std::clamp(sample, 0.0, static_cast<double>(size)));
-}
-
-}  // namespace
-
-SampleRange samplesWithin(const SampleAxis& axis, std::size_t size, double left, double right) {
-    const double first = std::floor(axis.sampleAt(left));
-    const double last = std::ceil(axis.sampleAt(right));
-    return {limited(first, size), limited(last + 1, size)};
-}
-
-bool needsColumns(const SampleAxis& axis) {
-    return axis.step < 0.67;
-}
-
 std::vector<CurveColumn> curveColumns(const CurvePyramid& curve, const SampleAxis& axis,
                                       double left, double right) {
     std::vector<CurveColumn> columns;
+    if (curve.size() == 0) return columns;
     columns.reserve(static_cast<std::size_t>(std::max(0.0, right - left)) + 1);
-    std::size_t begin = limited(firstSampleFrom(axis, left), curve.size());
+    const auto last = static_cast<double>(curve.size() - 1);
+    const auto valueAt = [&](double sample) {
+        const auto before = static_cast<std::size_t>(sample);
+        const float value = curve.at(before);
+        const auto share = static_cast<float>(sample - static_cast<double>(before));
+        return share > 0 ? value + share * (curve.at(before + 1) - value) : value;
+    };
     for (double x = left; x < right; x += 1) {
-        const std::size_t end = limited(firstSampleFrom(axis, x + 1), curve.size());
-        if (end > begin) {
-            const CurveExtent extent = curve.extent(begin > 0 ? begin - 1 : begin, end);
-            columns.push_back({x, extent.low, extent.high});
-            begin = end;
+        const double from = std::max(axis.sampleAt(x), 0.0);
+        const double to = std::min(axis.sampleAt(x + 1), last);
+        if (from > to) continue;
+        const float begin = valueAt(from);
+        const float end = valueAt(to);
+        CurveColumn column{x, std::min(begin, end), std::max(begin, end)};
+        const auto first = static_cast<std::size_t>(std::ceil(from));
+        const auto beyond = static_cast<std::size_t>(to) + 1;
+        if (first < beyond) {
+            const CurveExtent extent = curve.extent(first, beyond);
+            column.low = std::min(column.low, extent.low);
+            column.high = std::max(column.high, extent.high);
         }
+        columns.push_back(column);
     }
     return columns;
 }

@@ -17,14 +17,6 @@ struct SampleAxis {
     double sampleAt(double x) const { return (x - x0) / step; }
 };
 
-/// The samples [begin, end) of a curve that a drawing needs, with one more on both sides of
-/// [left, right] so that lines go on beyond the edges. Empty where the curve is elsewhere.
-struct SampleRange {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-};
-SampleRange samplesWithin(const SampleAxis& axis, std::size_t size, double left, double right);
-
 /// What lies in one column of pixels [x, x + 1).
 struct CurveColumn {
     double x = 0;
@@ -32,12 +24,9 @@ struct CurveColumn {
     float high = 0;
 };
 
-/// Whether so many samples share a pixel that a curve is drawn by columns, not as a line.
-bool needsColumns(const SampleAxis& axis);
-
-/// The columns of a curve from `left` to `right`, one pixel each. A column holds every sample in it
-/// and the one before, so that neighbouring columns touch and no peak is ever lost. Columns without
-/// a sample are left out.
+/// The columns of a curve, drawn as a line from sample to sample, from `left` to `right`, one pixel
+/// each: the lowest and highest point of the line in each, so that neighbouring columns touch and
+/// no peak is ever lost, whatever the zoom. Columns beyond the curve's ends are left out.
 std::vector<CurveColumn> curveColumns(const CurvePyramid& curve, const SampleAxis& axis,
                                       double left, double right);
 

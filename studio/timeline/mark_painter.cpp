@@ -105,7 +105,7 @@ void MarkPainter::paintActions(const Track& track, int player) {
         if (width > 44) {
             painter_.setPen(colours_.text);
             painter_.drawText(block.adjusted(5, 0, -3, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                              QString::number(index + 1));
+                              QString::number(index));
         }
     }
     for (const ActionNote& note : fighter.input.notes) {
@@ -115,13 +115,16 @@ void MarkPainter::paintActions(const Track& track, int player) {
         const double to = axis.xOf(action->end);
         if (to < strip.left() || from > strip.right()) continue;
         paintNoteMark(QRectF(from, strip.top(), to - from, strip.height()));
-        const double room = to - from - 40;
+        // Right of the action's number, left of the folded corner.
+        const QString number = QString::number(action - actions.data() + 1);
+        const double left = from + 5 + painter_.fontMetrics().horizontalAdvance(number) + 8;
+        const double room = to - 12 - left;
         if (room < 30) continue;
         const QString text =
             QString::fromStdString(noteOf(fighter.input.notes, *fighter.segmentation, *action));
         painter_.setPen(colours_.text);
         painter_.drawText(
-            QRectF(from + 26, strip.top(), room, strip.height()), Qt::AlignLeft | Qt::AlignVCenter,
+            QRectF(left, strip.top(), room, strip.height()), Qt::AlignLeft | Qt::AlignVCenter,
             painter_.fontMetrics().elidedText(text, Qt::ElideRight, static_cast<int>(room)));
     }
     painter_.setFont(font);
@@ -303,6 +306,9 @@ void MarkPainter::paintSelection(const Track& track, const ActionRef& action) {
     painter_.setPen(QPen(colours_.accent, 1.5));
     painter_.setBrush(Qt::NoBrush);
     painter_.drawRect(QRectF(left, track.strip().top(), right - left, track.strip().height()));
+    const QRectF lanes = track.lanes().area;
+    if (!lanes.isEmpty())
+        painter_.drawRect(QRectF(left, lanes.top(), right - left, lanes.height()));
 }
 
 void MarkPainter::paintSelection(const Track& track, const BoundaryRef& boundary) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/contacts.h"
 #include "studio/timeline/timeline_view.h"
 
 namespace kumite::studio {
@@ -27,13 +26,10 @@ std::vector<SnapTarget> TimelineView::snapTargets(int player) const {
         for (const ForceMinimum& minimum : fighter.force->minima)
             targets.push_back({SnapKind::Minimum, minimum.frame});
     }
-    if (fighter.input.motion) {
-        const FootContacts contacts =
-            footContacts(*fighter.input.motion->skeleton, fighter.input.roles,
-                         fighter.motion->positions, fighter.input.rate);
-        for (const auto& foot : {contacts.left, contacts.right}) {
-            for (std::size_t frame = 1; frame < foot.size(); ++frame) {
-                if (foot[frame] == foot[frame - 1]) continue;
+    if (fighter.body) {
+        for (const auto* foot : {&fighter.body->contacts.left, &fighter.body->contacts.right}) {
+            for (std::size_t frame = 1; frame < foot->size(); ++frame) {
+                if ((*foot)[frame] == (*foot)[frame - 1]) continue;
                 targets.push_back({SnapKind::Contact, static_cast<int>(frame)});
             }
         }
@@ -81,7 +77,7 @@ void TimelineView::endDrag(bool commit) {
     if (commit && done.frame != done.boundary.frame) {
         session_.moveBoundary(done.boundary, done.frame);
     }
-    update();
+    hover(last_);
 }
 
 }  // namespace kumite::studio

@@ -1,5 +1,6 @@
 // What the mouse and the keyboard do on the timeline.
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/timeline/lanes.h"
 #include "studio/timeline/timeline_view.h"
 
 namespace kumite::studio {
@@ -50,7 +52,9 @@ std::optional<BoundaryRef> TimelineView::handleAt(const QPointF& position) const
 void TimelineView::hover(const QPointF& position) {
     pointer_ = position;
     // The button is wider than the line that it belongs to.
-    hovered_ = handleAt(position) ? hovered_ : boundaryAt(position);
+    const auto hit = laneHitAt(position);
+    const bool onLane = hit && hit->lane >= 0;
+    hovered_ = handleAt(position) ? hovered_ : onLane ? std::nullopt : boundaryAt(position);
     const int player = playerAt(position.y());
     const TimeMapping map = mapping();
     const double seconds = map.timeAt(position.x());
@@ -60,8 +64,17 @@ void TimelineView::hover(const QPointF& position) {
     setCursor(handleAt(position)   ? Qt::PointingHandCursor
               : hovered_ || onLoop ? Qt::SizeHorCursor
                                    : Qt::ArrowCursor);
-    Q_EMIT session_.hovered(inside && player >= 0 ? describe(player, seconds) : QString());
+    QString told = inside && player >= 0 ? describe(player, seconds) : QString();
+    if (hit && !hovered_) {
+        told = lanes_->describe(hit->action, hit->lane);
+    }
+    Q_EMIT session_.hovered(told);
     update();
+}
+
+/// What lies under a resting pointer may have become another.
+void TimelineView::hoverAgain() {
+    if (pointer_ && gesture_ == Gesture::None) hover(*pointer_);
 }
 
 void TimelineView::mousePressEvent(QMouseEvent* event) {
@@ -86,18 +99,43 @@ void TimelineView::mousePressEvent(QMouseEvent* event) {
         gesture_ = Gesture::Loop;
         return;
     }
+    if (pressLanes(*event)) return;
+    gesture_ = choose(position) ? Gesture::Press : Gesture::Scrub;
+}
+
+/// What a click selects, and the playhead goes there. Whether it is a boundary.
+bool TimelineView::choose(const QPointF& position) {
     const int player = playerAt(position.y());
     if (player >= 0) session_.setActivePlayer(player);
     if (hovered_) {
         session_.goTo(*hovered_);
-        gesture_ = Gesture::Press;
-    } else {
-        if (player >= 0) {
-            session_.select(std::nullopt);
-            session_.selectAction(blockAt(position));
-        }
-        gesture_ = Gesture::Scrub;
-        scrubTo(position.x());
+        return true;
+    }
+    if (player >= 0) {
+        session_.select(std::nullopt);
+        session_.selectAction(blockAt(position));
+    }
+    scrubTo(position.x());
+    return false;
+}
+
+void TimelineView::contextMenuEvent(QContextMenuEvent* event) {
+    if (gesture_ != Gesture::None || tracks_.empty()) return;
+    if (event->reason() == QContextMenuEvent::Mouse) {
+        const QPointF position = event->pos();
+        hover(position);
+        const bool boundary = choose(position);
+        Q_EMIT menuWanted(boundary                      ? TimelineSpot::Boundary
+                          : playerAt(position.y()) >= 0 ? TimelineSpot::Action
+                                                        : TimelineSpot::Ruler,
+                          event->globalPos());
+        return;
+    }
+    // By key: on what is selected, else on the action at the playhead.
+    if (const auto& selected = session_.selection()) {
+        Q_EMIT menuWanted(TimelineSpot::Boundary, mapToGlobal(pointOf(*selected).toPoint()));
+    } else if (const auto action = session_.currentAction()) {
+        Q_EMIT menuWanted(TimelineSpot::Action, mapToGlobal(blockOf(*action).center().toPoint()));
     }
 }
 
@@ -109,6 +147,9 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
             break;
         case Gesture::Scrub:
             scrubTo(position.x());
+            break;
+        case Gesture::Lanes:
+            dragLanes(position);
             break;
         case Gesture::Pan: {
             const TimeMapping moved = mapping().panned(position.x() - last_.x());
@@ -136,6 +177,7 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
 
 void TimelineView::mouseReleaseEvent(QMouseEvent* event) {
     if (gesture_ == Gesture::Drag) endDrag(true);
+    if (gesture_ == Gesture::Lanes) lanes_->released();
     gesture_ = Gesture::None;
     hover(event->position());
 }
@@ -194,6 +236,36 @@ std::optional<ActionRef> TimelineView::blockAt(const QPointF& position) const {
     if (fighter == nullptr) return std::nullopt;
     if (!tracks_[static_cast<std::size_t>(player)].strip().contains(position)) return std::nullopt;
     return session_.actionAt(player, frameAtTime(fighter->input, mapping().timeAt(position.x())));
+}
+
+std::optional<TimelineView::LaneHit> TimelineView::laneHitAt(const QPointF& position) const {
+    const int player = playerAt(position.y());
+    const FighterAnalysis* fighter = session_.fighter(player);
+    if (lanes_ == nullptr || fighter == nullptr) return std::nullopt;
+    const Track& track = tracks_[static_cast<std::size_t>(player)];
+    const bool onLanes = track.lanes().area.contains(position);
+    if (!onLanes && !track.strip().contains(position)) return std::nullopt;
+    const auto action =
+        session_.actionAt(player, frameAtTime(fighter->input, mapping().timeAt(position.x())));
+    if (!action) return std::nullopt;
+    return LaneHit{*action, track.lanes().laneAt(position.y(), lanes_->laneCount())};
+}
+
+/// A press on an action or one of its lanes, away from boundaries, is the lanes'.
+bool TimelineView::pressLanes(const QMouseEvent& event) {
+    const auto hit = laneHitAt(event.position());
+    if (!hit || (hovered_ && hit->lane < 0)) return false;
+    gesture_ = Gesture::Lanes;
+    laneDragged_ = hit->action;
+    if (lanes_->pressed(hit->action, hit->lane, event.modifiers())) scrubTo(event.position().x());
+    return true;
+}
+
+void TimelineView::dragLanes(const QPointF& position) {
+    const auto hit = laneHitAt(position);
+    if (!hit || hit->action == laneDragged_) return;
+    laneDragged_ = hit->action;
+    lanes_->dragged(hit->action);
 }
 
 bool TimelineView::event(QEvent* event) {

@@ -8,6 +8,7 @@
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
+#include "studio/timeline/lanes.h"
 #include "studio/timeline/mark_painter.h"
 #include "studio/timeline/note_field.h"
 #include "studio/timeline/ruler.h"
@@ -25,18 +26,28 @@ constexpr double kHandle = 14;
 TimelineView::TimelineView(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), note_(new NoteField(session, this)) {
     setAccessibleName(tr("Timeline"));
+    setAccessibleDescription(
+        tr("Force curves of the fighters, the boundaries that cut them, and the actions between"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
-    connect(&session_, &Session::takeChanged, this, &TimelineView::refresh);
+    connect(&session_, &Session::takeChanged, this, [this] {
+        if (dragged_) endDrag(false);
+        refresh();
+    });
     connect(&session_, &Session::fightersChanged, this, &TimelineView::refresh);
-    connect(&session_, &Session::visibleChanged, this, &TimelineView::invalidate);
+    connect(&session_, &Session::visibleChanged, this, [this] {
+        invalidate();
+        hoverAgain();
+    });
     connect(&session_, &Session::activePlayerChanged, this, &TimelineView::invalidate);
     connect(&session_, &Session::comparisonChanged, this, &TimelineView::invalidate);
     connect(&session_, &Session::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(&session_.transport(), &Transport::stateChanged, this, &TimelineView::invalidate);
     connect(&session_.transport(), &Transport::moved, this, [this] {
-        if (session_.transport().isPlaying()) session_.reveal(session_.transport().playhead());
+        // What a hand holds stays under it.
+        const bool follow = session_.transport().isPlaying() && gesture_ == Gesture::None;
+        if (follow) session_.reveal(session_.transport().playhead());
         update();
     });
     refresh();
@@ -82,6 +93,14 @@ void TimelineView::setOptions(const TimelineOptions& options) {
     refresh();
 }
 
+void TimelineView::setLanes(LaneSource* lanes) {
+    if (lanes == lanes_) return;
+    if (lanes_) disconnect(lanes_, nullptr, this, nullptr);
+    lanes_ = lanes;
+    if (lanes_) connect(lanes_, &LaneSource::changed, this, &TimelineView::invalidate);
+    refresh();
+}
+
 void TimelineView::editNote() {
     const auto action = session_.currentAction();
     if (!action) return;
@@ -102,7 +121,9 @@ int TimelineView::speedRows() const {
 }
 
 QSize TimelineView::sizeHint() const {
-    return {800, 140 + 100 * speedRows()};
+    constexpr int kLane = 11;
+    const int lanes = lanes_ ? 2 * kLane * lanes_->laneCount() : 0;
+    return {800, 140 + 100 * speedRows() + lanes};
 }
 
 void TimelineView::layOut() {
@@ -111,21 +132,51 @@ void TimelineView::layOut() {
         const double each = height / static_cast<double>(tracks_.size());
         const double top = std::round(kRulerHeight + each * static_cast<double>(i));
         const double bottom = std::round(kRulerHeight + each * static_cast<double>(i + 1));
-        tracks_[i].setGeometry(QRectF(0, top, width(), bottom - top), kLeftGutter, kRightGutter);
+        tracks_[i].setGeometry(QRectF(0, top, width(), bottom - top), kLeftGutter, kRightGutter,
+                               lanes_ ? lanes_->laneCount() : 0);
     }
 }
 
 void TimelineView::refresh() {
+    const BoundaryMark* held = dragged_ ? markOf(dragged_->boundary) : nullptr;
+    if (dragged_ && (held == nullptr || !held->isLive())) endDrag(false);
     tracks_.resize(static_cast<std::size_t>(session_.playerCount()));
+    bool lacking = false;
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
-        tracks_[i].setFighter(session_.fighter(static_cast<int>(i)), options_,
-                              session_.document().analysis().settings.curve);
+        lacking |= tracks_[i].setFighter(session_.fighter(static_cast<int>(i)), options_,
+                                         session_.document().analysis().settings.curve);
     }
+    if (lacking) prepareCurves();
     setMinimumHeight(120 + 64 * speedRows());
     updateGeometry();
     layOut();
     hovered_.reset();
     invalidate();
+    hoverAgain();
+}
+
+void TimelineView::prepareCurves() {
+    std::vector<CurveWish> wishes;
+    for (const Track& track : tracks_)
+        wishes.push_back(track.wish());
+    preparing_.start(
+        tr("Preparing curves"),
+        [wishes](const Progress& progress) {
+            std::vector<WishedCurves> made;
+            for (const CurveWish& wish : wishes) {
+                progress.update(double(made.size()) / double(wishes.size()));
+                made.push_back(makeCurves(wish));
+            }
+            return made;
+        },
+        [this, wishes](std::vector<WishedCurves> made) {
+            for (std::size_t i = 0; i < std::min(made.size(), tracks_.size()); ++i) {
+                // A fighter may have gone meanwhile, with nothing to be made in its place.
+                if (tracks_[i].wish() == wishes[i]) tracks_[i].setCurves(std::move(made[i]));
+            }
+            layOut();
+            invalidate();
+        });
 }
 
 void TimelineView::invalidate() {
@@ -166,6 +217,9 @@ void TimelineView::paintStill(QPainter& painter) {
     TrackPainter tracks(painter, session_, c, map);
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         tracks.paint(tracks_[i], static_cast<int>(i));
+        if (lanes_) {
+            paintLanes(painter, *lanes_, session_, static_cast<int>(i), tracks_[i].lanes(), c, map);
+        }
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setPen(c.line);
         const double y = tracks_[i].row().bottom() - 0.5;
@@ -190,6 +244,13 @@ void TimelineView::paintMoving(QPainter& painter) {
     }
     const auto& action = session_.selectedAction();
     if (action && action->player < players) marks.paintSelection(trackOf(action->player), *action);
+    if (lanes_) {
+        for (const ActionRef& chosen : lanes_->chosen()) {
+            if (chosen != action && chosen.player < players) {
+                marks.paintSelection(trackOf(chosen.player), chosen);
+            }
+        }
+    }
     const auto& selected = session_.selection();
     if (selected && selected->player < players) {
         marks.paintSelection(trackOf(selected->player), *selected);
@@ -231,6 +292,7 @@ QString TimelineView::describe(int player, double seconds) const {
         text += QStringLiteral(" · ") + bodyWeightsText(curve[static_cast<std::size_t>(frame)]);
     }
     if (const auto action = session_.actionAt(player, frame); action && !hovered_) {
+        text += tr(" · action %1").arg(session_.numberOf(*action));
         const QString note = session_.noteOf(*action);
         if (!note.isEmpty()) text += tr(" · note: %1").arg(note);
     }

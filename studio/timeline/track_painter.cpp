@@ -180,29 +180,22 @@ void TrackPainter::paintCurves(const Track& track, const Fighter& fighter, int p
     const SampleAxis axis = frameAxis(fighter, mapping_);
     const QRectF plot = track.plot();
     const QColor own = colours_.fighterText[player];
-    // Opaque: the painter fills what shines through much more slowly.
     const auto faint = [this](const QColor& colour, double share) {
         return mixed(colours_.ground, colour, share);
     };
-    painter_.save();
-    if (track.rawForce().size() > 0) {
-        // Its noise may be higher than the axis.
-        painter_.setClipRect(plot, Qt::IntersectClip);
-        paintCurve(painter_, track.rawForce(), axis, track.forceAxis(), plot, faint(own, 0.35),
-                   1.0);
+    const QRectF row = track.row();
+    CurvePicture curves(QRectF(plot.left(), row.top(), plot.width(), row.height()),
+                        painter_.device()->devicePixelRatioF());
+    // The noise of the unsmoothed force may be higher than the axis, and so may rare speeds be.
+    curves.draw(track.rawForce(), axis, track.forceAxis(), plot, faint(own, 0.35), 1.0);
+    curves.draw(track.height(), axis, track.heightAxis(), plot, faint(colours_.secondText, 0.75),
+                1.0);
+    for (const SpeedRow& speed : track.speeds()) {
+        curves.draw(speed.sides[1], axis, speed.axis, speed.plot, faint(colours_.text, 0.45), 1.0);
+        curves.draw(speed.sides[0], axis, speed.axis, speed.plot, own, 1.0);
     }
-    painter_.restore();
-    paintCurve(painter_, track.height(), axis, track.heightAxis(), plot,
-               faint(colours_.secondText, 0.75), 1.0);
-    for (const SpeedRow& row : track.speeds()) {
-        painter_.save();
-        painter_.setClipRect(row.plot.adjusted(0, -1, 0, 1), Qt::IntersectClip);
-        paintCurve(painter_, row.sides[1], axis, row.axis, row.plot, faint(colours_.text, 0.45),
-                   1.0);
-        paintCurve(painter_, row.sides[0], axis, row.axis, row.plot, own, 1.0);
-        painter_.restore();
-    }
-    paintCurve(painter_, track.forceCurve(), axis, track.forceAxis(), plot, own, 1.4);
+    curves.draw(track.forceCurve(), axis, track.forceAxis(), plot, own, 1.4);
+    curves.paintOnto(painter_);
 }
 
 }  // namespace kumite::studio

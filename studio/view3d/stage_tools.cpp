@@ -56,10 +56,12 @@ void StageTools::setOverlayActions(const QList<QAction*>& actions) {
 }
 
 void StageTools::setMeasureAction(QAction* action) {
-    measure_->setToolTip(action->toolTip());
     measure_->setCheckable(true);
+    measure_->setProperty("command", action->objectName());
+    measure_->setToolTip(action->toolTip());
     connect(measure_, &QToolButton::clicked, action, &QAction::trigger);
     connect(action, &QAction::changed, measure_, [this, action] {
+        measure_->setToolTip(action->toolTip());
         measure_->setChecked(action->isChecked());
         measure_->setEnabled(action->isEnabled());
     });

@@ -14,19 +14,24 @@ namespace kumite::studio {
 
 namespace {
 constexpr std::size_t kMostGhosts = 12;
+constexpr double kUsualPitch = 0.22;  // radians
 }  // namespace
 
 StageView::StageView(Session& session, QWidget* parent)
     : QWidget(parent), session_(session), scene_(std::make_unique<Scene>(this)) {
     setAccessibleName(tr("3D view"));
-    setFocusPolicy(Qt::ClickFocus);
+    setAccessibleDescription(tr("The fighters at the playhead: a drag turns, the wheel zooms"));
+    setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 200);
     scene_->canvas->setAttribute(Qt::WA_TransparentForMouseEvents);
     scene_->caption->setProperty("role", "second");
     scene_->caption->setAttribute(Qt::WA_TransparentForMouseEvents);
     connect(&session_, &Session::takeChanged, this, &StageView::takeChanged);
     connect(&session_, &Session::fightersChanged, this, &StageView::bodiesChanged);
-    connect(&session_, &Session::activePlayerChanged, this, &StageView::showColours);
+    connect(&session_, &Session::activePlayerChanged, this, [this] {
+        pointToOtherFighter();
+        showColours();
+    });
     connect(&session_.transport(), &Transport::moved, this, &StageView::showPose);
     connect(this, &StageView::switchesChanged, this, &StageView::showCaption);
     showCaption();
@@ -170,6 +175,42 @@ void StageView::frameAll() {
     applyCamera();
 }
 
+void StageView::frameFighters(double begin, double end) {
+    Box box;
+    Box places[2];
+    for (int player = 0; player < 2; ++player) {
+        const FighterAnalysis* fighter = session_.fighter(player);
+        if (fighter == nullptr || fighter->frameCount() == 0) continue;
+        for (const double moment : {begin, 0.5 * (begin + end), end}) {
+            const int frame = frameAtTime(fighter->input, moment);
+            for (const auto& joint : jointsAt(*fighter, frame)) {
+                box.add(joint.cast<double>());
+                places[player].add(joint.cast<double>());
+            }
+        }
+    }
+    if (box.empty()) return;
+    box.low.array() -= 0.15;
+    box.high.array() += 0.15;
+    if (!places[0].empty() && !places[1].empty()) {
+        Eigen::Vector3d between = places[1].centre() - places[0].centre();
+        between.y() = 0;
+        Eigen::Vector3d ahead = scene_->camera.forward();
+        ahead.y() = 0;
+        constexpr double kHides = 0.8;  // cosine of the angle from which on one hides the other
+        const double along = between.norm() > 0.05 && ahead.norm() > 0.05
+                                 ? between.normalized().dot(ahead.normalized())
+                                 : 0.0;
+        if (std::abs(along) > kHides) {
+            const Eigen::Vector3d side(between.z(), 0, -between.x());
+            const Eigen::Vector3d from = side.dot(ahead) < 0 ? side : Eigen::Vector3d(-side);
+            scene_->camera.lookFrom(std::atan2(from.x(), from.z()), kUsualPitch);
+        }
+    }
+    scene_->camera.frame(box, viewport());
+    applyCamera();
+}
+
 void StageView::frameActiveFighter() {
     const FighterAnalysis* fighter = session_.fighter(session_.activePlayer());
     if (fighter == nullptr) return;
@@ -224,9 +265,14 @@ void StageView::setTools(QWidget* tools) {
 void StageView::showCaption() {
     QString text = tr("grid 1 m");
     if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
-    if (isMeasuring()) text = tr("Measuring: click two joints   ·   Esc leaves");
+    if (isMeasuring()) text = measuringHint_;
     scene_->caption->setText(text);
     placeOverlays();
+}
+
+void StageView::setMeasuringHint(const QString& hint) {
+    measuringHint_ = hint;
+    showCaption();
 }
 
 void StageView::placeOverlays() {

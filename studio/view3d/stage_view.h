@@ -25,7 +25,8 @@ struct Viewport;
 
 /// The 3D view: both fighters of the take at the moment that the session shows, on the floor.
 /// Left drag turns, middle or Shift+drag moves, the wheel zooms about the pointer, a click on a
-/// fighter makes it the active one; with the measuring tool a click takes a joint.
+/// fighter makes it the active one; with the measuring tool a click takes a joint. A click with the
+/// right button asks for a menu.
 class StageView : public QWidget {
     Q_OBJECT
 
@@ -35,6 +36,9 @@ public:
 
     /// Shows the whole area that the take covers.
     void frameAll();
+    /// Shows both fighters as they are from one moment to another (seconds on the take's clock);
+    /// turns to the side where one would hide the other.
+    void frameFighters(double begin, double end);
     /// Shows the active fighter as it stands now.
     void frameActiveFighter();
     void lookFromFront();
@@ -59,6 +63,15 @@ public:
     /// The measured distance now, metres; nothing until two joints were chosen.
     std::optional<double> measuredDistance() const;
     const Measuring& measuring() const;
+    /// Points to the next (+1) or previous (-1) joint of the active fighter, named joints first;
+    /// begins to measure if it did not.
+    void stepJoint(int direction);
+    /// What a click on the joint that is pointed to would do.
+    void takeJoint();
+    /// What is measured now, in words: joint and speed, distance; empty where there is nothing.
+    QString measuredText() const;
+    /// How to measure; shown while the tool is on.
+    void setMeasuringHint(const QString& hint);
 
     /// Where a joint is drawn, in the view's pixels; nothing where there is no such joint or it
     /// lies behind the camera.
@@ -76,6 +89,8 @@ public:
 Q_SIGNALS:
     /// Overlays, ghosts, follow or the measuring tool changed.
     void switchesChanged();
+    /// On a fighter, which is the active one now, or on nothing, at a point of the screen.
+    void menuWanted(std::optional<int> player, const QPoint& at);
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -85,6 +100,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
     void takeChanged();
@@ -94,13 +110,16 @@ private:
     void showColours();
     void showLabels();
     void showCaption();
+    void tellMeasured();
+    void pointToOtherFighter();
     void applyCamera();
     void follow();
     void placeOverlays();
     void lookFrom(double yaw, double pitch);
-    void activateFighterAt(const QPointF& position);
+    std::optional<int> fighterAt(const QPointF& position) const;
     void hoverAt(const QPointF& position);
     std::optional<JointRef> jointUnder(const QPointF& position) const;
+    QString jointText(const JointRef& joint, bool withSpeed) const;
     std::optional<Eigen::Vector3d> jointPlace(const JointRef& joint) const;
     std::array<const FighterAnalysis*, 2> fighters() const;
     Viewport viewport() const;
@@ -117,6 +136,8 @@ private:
     QPointF pressed_;
     bool dragged_ = false;
     double mouseSpeed_ = 1;
+    QString measuringHint_;
+    QString told_;  ///< of what is measured
 };
 
 }  // namespace kumite::studio

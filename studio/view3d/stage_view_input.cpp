@@ -1,72 +1,16 @@
-// What the mouse does in the 3D view, and what is written over its picture.
+// What the mouse does in the 3D view, and what is marked over its picture.
 
+#include <QContextMenuEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
 
 #include <cmath>
 
 #include "studio/app/session.h"
-#include "studio/app/words.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_scene.h"
 
 namespace kumite::studio {
-
-namespace {
-
-/// "left wrist" where the joint has a role, else its name in the file.
-QString jointText(const FighterAnalysis& fighter, int joint) {
-    for (const Role role : allRoles()) {
-        if (fighter.input.roles[role] != joint) continue;
-        return QString::fromLatin1(roleName(role).data(), qsizetype(roleName(role).size()))
-            .replace(QLatin1Char('_'), QLatin1Char(' '));
-    }
-    const auto& joints = fighter.input.motion->skeleton->joints;
-    return QString::fromStdString(joints[static_cast<std::size_t>(joint)].name);
-}
-
-}  // namespace
-
-bool StageView::isMeasuring() const {
-    return scene_->measuring.isOn;
-}
-
-const Measuring& StageView::measuring() const {
-    return scene_->measuring;
-}
-
-void StageView::setMeasuring(bool on) {
-    scene_->measuring = Measuring{};
-    scene_->measuring.isOn = on;
-    setMouseTracking(on);
-    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
-    showLabels();
-    Q_EMIT session_.hovered({});
-    Q_EMIT switchesChanged();
-}
-
-std::optional<Eigen::Vector3d> StageView::jointPlace(const JointRef& joint) const {
-    const auto& joints = scene_->poses[static_cast<std::size_t>(joint.player)].joints;
-    if (joint.joint < 0 || joint.joint >= static_cast<int>(joints.size())) return std::nullopt;
-    return joints[static_cast<std::size_t>(joint.joint)].cast<double>();
-}
-
-std::optional<QPointF> StageView::jointPosition(const JointRef& joint) const {
-    const auto place = jointPlace(joint);
-    if (!place) return std::nullopt;
-    const Eigen::Vector3d at = scene_->camera.project(*place, viewport());
-    if (at.z() <= 0) return std::nullopt;
-    return QPointF(at.x(), at.y());
-}
-
-std::optional<double> StageView::measuredDistance() const {
-    const Measuring& measuring = scene_->measuring;
-    if (!measuring.from || !measuring.to) return std::nullopt;
-    const auto from = jointPlace(*measuring.from);
-    const auto to = jointPlace(*measuring.to);
-    if (!from || !to) return std::nullopt;
-    return (*from - *to).norm();
-}
 
 void StageView::showLabels() {
     StageMarks marks;
@@ -87,18 +31,11 @@ void StageView::showLabels() {
         marks.points.push_back({*from, {}});
     }
     if (measuring.hovered) {
-        const JointRef& joint = *measuring.hovered;
-        const FighterAnalysis* fighter = session_.fighter(joint.player);
-        const auto at = jointPosition(joint);
-        if (fighter != nullptr && at) {
-            const float speed = jointSpeed(fighter->motion->positions, joint.joint,
-                                           session_.shownFrame(joint.player), fighter->input.rate);
-            marks.points.push_back(
-                {*at, tr("%1   %2 m/s")
-                          .arg(jointText(*fighter, joint.joint), QString::number(speed, 'f', 1))});
-        }
+        const auto at = jointPosition(*measuring.hovered);
+        if (at) marks.points.push_back({*at, jointText(*measuring.hovered, true)});
     }
     scene_->labels->show(std::move(marks));
+    if (isMeasuring()) tellMeasured();
 }
 
 std::optional<JointRef> StageView::jointUnder(const QPointF& position) const {
@@ -123,10 +60,6 @@ void StageView::hoverAt(const QPointF& position) {
     if (joint == measuring.hovered) return;
     measuring.hovered = joint;
     showLabels();
-    const auto& points = scene_->labels->marks().points;
-    Q_EMIT session_.hovered(joint && !points.empty()
-                                ? tr("%1: %2").arg(fighterText(joint->player), points.back().text)
-                                : QString());
 }
 
 void StageView::mousePressEvent(QMouseEvent* event) {
@@ -154,20 +87,28 @@ void StageView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void StageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (dragged_ || event->button() != Qt::LeftButton) return;
-    if (isMeasuring()) {
+    if (dragged_) return;
+    const bool menu = event->button() == Qt::RightButton;
+    if (event->button() == Qt::LeftButton && isMeasuring()) {
         scene_->measuring.click(jointUnder(event->position()));
         showLabels();
-    } else {
-        activateFighterAt(event->position());
+    } else if (event->button() == Qt::LeftButton || menu) {
+        const auto player = fighterAt(event->position());
+        if (player) session_.setActivePlayer(*player);
+        if (menu) Q_EMIT menuWanted(player, event->globalPosition().toPoint());
     }
+}
+
+void StageView::contextMenuEvent(QContextMenuEvent* event) {
+    // The right button turns, too: its menu waits for the release.
+    if (event->reason() == QContextMenuEvent::Mouse || session_.playerCount() == 0) return;
+    Q_EMIT menuWanted(session_.activePlayer(), mapToGlobal(rect().center()));
 }
 
 void StageView::leaveEvent(QEvent*) {
     if (!scene_->measuring.hovered) return;
     scene_->measuring.hovered.reset();
     showLabels();
-    Q_EMIT session_.hovered({});
 }
 
 void StageView::wheelEvent(QWheelEvent* event) {
@@ -177,13 +118,13 @@ void StageView::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
-void StageView::activateFighterAt(const QPointF& position) {
+std::optional<int> StageView::fighterAt(const QPointF& position) const {
     constexpr double kSlack = 6;  // pixels: thin limbs are hard to hit
     const Ray ray = scene_->camera.rayThrough(position.x(), position.y(), viewport());
     const double pixel = CameraController::metresPerPixel(scene_->camera.distance(), viewport());
     for (const double slack : {0.0, kSlack * pixel}) {
         std::optional<double> nearest;
-        int found = -1;
+        std::optional<int> found;
         for (int player = 0; player < 2; ++player) {
             const auto index = static_cast<std::size_t>(player);
             const auto& joints = scene_->poses[index].joints;
@@ -193,10 +134,9 @@ void StageView::activateFighterAt(const QPointF& position) {
             nearest = hit;
             found = player;
         }
-        if (found < 0) continue;
-        session_.setActivePlayer(found);
-        return;
+        if (found) return found;
     }
+    return std::nullopt;
 }
 
 }  // namespace kumite::studio

@@ -12,6 +12,7 @@
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <vtkRenderer.h>
+#include <vtkRendererCollection.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,11 +57,17 @@ VtkWidget::~VtkWidget() {
         context_->doneCurrent();
     }
     window_->RemoveObserver(observer_);
-    window_->RemoveRenderer(renderer_);
+    vtkRendererCollection* renderers = window_->GetRenderers();
+    while (vtkRenderer* renderer = renderers->GetFirstRenderer())
+        window_->RemoveRenderer(renderer);
 }
 
 vtkRenderer* VtkWidget::renderer() const {
     return renderer_;
+}
+
+void VtkWidget::add(vtkRenderer* renderer) {
+    window_->AddRenderer(renderer);
 }
 
 void VtkWidget::markDirty() {
@@ -105,7 +112,11 @@ void VtkWidget::draw(bool smooth) {
     const double ratio = devicePixelRatioF();
     window_->SetSize(std::max(1, static_cast<int>(std::lround(width() * ratio))),
                      std::max(1, static_cast<int>(std::lround(height() * ratio))));
-    renderer_->SetUseFXAA(smooth);
+    vtkRendererCollection* renderers = window_->GetRenderers();
+    vtkCollectionSimpleIterator at;
+    renderers->InitTraversal(at);
+    while (vtkRenderer* renderer = renderers->GetNextRenderer(at))
+        renderer->SetUseFXAA(smooth);
     // Ghosts are drawn over their own depth.
     window_->GetState()->vtkglDepthFunc(GL_LEQUAL);
     window_->Render();

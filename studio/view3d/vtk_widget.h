@@ -32,6 +32,8 @@ public:
     ~VtkWidget() override;
 
     vtkRenderer* renderer() const;
+    /// Draws this one, too: a part of the picture by its viewport.
+    void add(vtkRenderer* renderer);
     /// The scene changed: draw it anew at the next occasion.
     void markDirty();
     /// The picture with smooth edges, device pixels.

@@ -1,20 +1,27 @@
-// How long it takes from a key press that edits a boundary until everything is derived anew and
-// every view has painted it.
-//     kumite-edit-benchmark PROJECT.kumite
+// How long the window of a project does not answer while it is worked with: from a key press that
+// edits a boundary until every view has painted it, and the longest gap of the event loop during
+// the acts of a session.
+//     kumite-edit-benchmark PROJECT.kumite [edits|session]
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 
-#include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <vector>
 
+#include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/loop_watch.h"
 #include "studio/app/main_window.h"
 #include "studio/app/picture.h"
-#include "studio/app/theme.h"
+#include "studio/app/recovery.h"
 #include "studio/timeline/timeline_view.h"
+#include "tests/benchmarks/studio_benchmark.h"
 
 namespace {
 
@@ -34,14 +41,19 @@ protected:
     }
 };
 
-/// Removes boundaries of fighter 1 all over the take, one by one, and times each.
-void measure(const char* name, MainWindow& window) {
-    constexpr std::size_t kEdits = 40;
-    Session& session = window.session();
+std::vector<int> detectedFrames(Session& session) {
     std::vector<int> frames;
     for (const BoundaryMark& mark : session.marks(0)) {
         if (mark.isLive() && mark.isEditable()) frames.push_back(mark.frame);
     }
+    return frames;
+}
+
+/// Removes boundaries of fighter 1 all over the take, one by one, and times each.
+void measureEdits(const char* name, MainWindow& window) {
+    constexpr std::size_t kEdits = 40;
+    Session& session = window.session();
+    const std::vector<int> frames = detectedFrames(session);
     std::vector<double> milliseconds;
     Painted timeline(window.timeline());
     for (std::size_t i = 0; i < kEdits && i < frames.size(); ++i) {
@@ -59,38 +71,160 @@ void measure(const char* name, MainWindow& window) {
     const std::size_t done = session.document().history().position();
     session.document().goToStep(0);
     letWork(200);
-    std::sort(milliseconds.begin(), milliseconds.end());
     std::printf("%-24s %zu edits   median %6.2f ms   worst %6.2f ms\n", name, done,
-                milliseconds[milliseconds.size() / 2], milliseconds.back());
+                quantile(milliseconds, 0.5), quantile(milliseconds, 1));
     std::fflush(stdout);
+}
+
+/// The acts of a session, each watched until nothing is computed any more.
+class WatchedSession {
+public:
+    explicit WatchedSession(MainWindow& window) : window_(window), recovery_(window.session()) {}
+
+    void act(const char* name, const std::function<void()>& what) {
+        letWork(50);
+        watch_.reset();
+        watch_.note(QString::fromLatin1(name));
+        what();
+        letWork(50);
+        waitWhileBusy(window_);
+        letWork(300);
+        const LoopGap& gap = watch_.longest();
+        std::printf("%-28s longest gap %6.1f ms, work %6.1f ms, in %s; %zu above %.0f ms\n", name,
+                    gap.milliseconds, gap.work, qPrintable(gap.event), watch_.gaps().size(),
+                    LoopWatch::kBlink);
+        std::fflush(stdout);
+    }
+    void run(const char* command) {
+        act(command, [&] { window_.commands().run(QLatin1String(command)); });
+    }
+    void play(const QString& project);
+
+private:
+    TimelineView& timeline() { return window_.timeline(); }
+    void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(&timeline(), key, modifiers);
+    }
+    /// Presses, moves in steps with the window at work, lets go.
+    void drag(const QPoint& from, const QPoint& to) {
+        QTest::mousePress(&timeline(), Qt::LeftButton, {}, from);
+        for (int i = 1; i <= 20; ++i) {
+            QTest::mouseMove(&timeline(), from + (to - from) * i / 20);
+            letWork(10);
+        }
+        QTest::mouseRelease(&timeline(), Qt::LeftButton, {}, to);
+    }
+    void slide(QSlider& slider, int steps) {
+        slider.setSliderDown(true);
+        for (int i = 0; i < steps; ++i) {
+            slider.setValue(slider.value() + 2);
+            letWork(15);
+        }
+        slider.setSliderDown(false);
+    }
+
+    MainWindow& window_;
+    Recovery recovery_;
+    LoopWatch watch_;
+};
+
+void WatchedSession::play(const QString& project) {
+    Session& session = window_.session();
+    QTemporaryDir folder;
+    act("open", [&] { window_.files().open({project}); });
+    if (session.playerCount() == 0) return;
+    window_.timeline().setFocus();
+    act("resize", [&] {
+        for (const QSize size : {QSize(1500, 900), QSize(1900, 1000), QSize(1280, 800)}) {
+            window_.resize(size);
+            letWork(100);
+        }
+    });
+    for (const char* command : {"view.theme1", "view.theme2", "timeline.handSpeed",
+                                "timeline.footSpeed", "timeline.rawForce"}) {
+        run(command);
+    }
+    act("scrub", [&] { drag({400, 10}, {900, 10}); });
+    act("zoom", [&] {
+        for (int i = 0; i < 30; ++i) {
+            QWheelEvent turn({600, 80}, timeline().mapToGlobal(QPointF(600, 80)), {}, {0, 120}, {},
+                             Qt::ControlModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(&timeline(), &turn);
+            letWork(5);
+        }
+    });
+    act("play", [&] {
+        key(Qt::Key_Space);
+        letWork(2000);
+        key(Qt::Key_Space);
+    });
+    act("next suspect", [&] { key(Qt::Key_N); });
+    act("remove", [&] { key(Qt::Key_Delete); });
+    act("undo", [&] { key(Qt::Key_Z, Qt::ControlModifier); });
+    act("drag a boundary", [&] {
+        const std::vector<int> frames = detectedFrames(session);
+        const BoundaryRef boundary{0, frames[frames.size() / 2]};
+        session.examine(boundary);
+        const QPoint at = timeline().pointOf(boundary).toPoint();
+        drag(at, at + QPoint(12, 0));
+    });
+    auto sliders = window_.findChildren<QSlider*>();
+    for (QSlider* slider : sliders) {
+        if (!slider->isVisible()) continue;
+        act(qPrintable(QStringLiteral("slide ") + slider->accessibleName().left(18)),
+            [&] { slide(*slider, 20); });
+        if (slider == sliders.front()) {
+            act("edits while it computes", [&] {
+                slider->setValue(slider->value() + 9);
+                key(Qt::Key_Delete);
+                key(Qt::Key_S);
+                letWork(20);
+                key(Qt::Key_N);
+            });
+        }
+    }
+    act("history back", [&] { session.document().goToStep(0); });
+    act("many edits", [&] {
+        const std::vector<int> frames = detectedFrames(session);
+        for (std::size_t i = 1; i < frames.size() && i < 60; ++i) {
+            session.goTo({0, frames[i]});
+            key(Qt::Key_Delete);
+            letWork(10);
+        }
+    });
+    act("autosave", [&] { recovery_.autosave(); });
+    act("save", [&] { window_.files().saveTo(folder.filePath("saved.kumite")); });
+    act("export", [&] { window_.files().exportTo(folder.filePath("actions.csv")); });
+    for (const char* command :
+         {"fighter.properties", "help.keys", "app.palette", "app.preferences", "view.measure",
+          "view.nextJoint", "view.all", "view.panels", "view.panels", "take.next"}) {
+        run(command);
+    }
+    act("open again", [&] { window_.files().open({folder.filePath("saved.kumite")}); });
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    // VTK 9.1 finds its OpenGL functions through GLX only.
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
-    MainWindow::prepareGraphics();
+    prepareBenchmark();
     QApplication application(argc, argv);
-    QApplication::setOrganizationName("kumite");
-    QApplication::setApplicationName("kumite-edit-benchmark");
-    applyTheme(ThemeChoice::Dark);
-    const QStringList files = application.arguments().mid(1);
-    if (files.size() != 1) {
-        std::fprintf(stderr, "kumite-edit-benchmark PROJECT.kumite\n");
-        return 2;
-    }
+    const QStringList arguments =
+        benchmarkFiles(application, "kumite-edit-benchmark", "PROJECT.kumite [edits|session]");
+    const QString only = arguments.value(1);
     MainWindow window;
     window.resize(1280, 800);
     window.show();
-    window.files().open(files);
-    waitWhileBusy(window);
-    if (window.session().playerCount() == 0) return 1;
-    letWork(500);
     QApplication::setActiveWindow(&window);
-    window.timeline().setFocus();
-    measure("whole take in view", window);
-    window.session().setVisible({0, 20});
-    measure("20 s in view", window);
+    if (only != QLatin1String("session")) {
+        window.files().open({arguments.front()});
+        waitWhileBusy(window);
+        if (window.session().playerCount() == 0) return 1;
+        letWork(500);
+        window.timeline().setFocus();
+        measureEdits("whole take in view", window);
+        window.session().setVisible({0, 20});
+        measureEdits("20 s in view", window);
+    }
+    if (only != QLatin1String("edits")) WatchedSession(window).play(arguments.front());
     return 0;
 }

@@ -93,6 +93,8 @@ void paintAnew(benchmark::State& state) {
     const auto width = static_cast<int>(state.range(2));
     view.resize(width, state.range(1) ? 420 : 250);
     if (state.range(1)) view.setOptions({true, true, true, true, RulerUnits::Both});
+    while (view.isPreparing())
+        QApplication::processEvents();
     QImage image(view.size(), QImage::Format_ARGB32_Premultiplied);
     const auto seconds = static_cast<double>(state.range(0));
     double begin = 0;

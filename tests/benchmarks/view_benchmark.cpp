@@ -5,16 +5,14 @@
 #include <QApplication>
 #include <QElapsedTimer>
 
-#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <vector>
 
-#include "studio/app/main_window.h"
 #include "studio/app/opening.h"
 #include "studio/app/session.h"
-#include "studio/app/theme.h"
 #include "studio/view3d/stage_view.h"
+#include "tests/benchmarks/studio_benchmark.h"
 
 namespace {
 
@@ -35,29 +33,20 @@ void measure(const char* name, Session& session, StageView& view) {
         QApplication::processEvents();
         if (i >= kWarmUp) milliseconds.push_back(1e-6 * double(clock.nsecsElapsed()));
     }
-    std::sort(milliseconds.begin(), milliseconds.end());
     // The time of all cores together does not depend on what else the machine does.
     const double work = 1000.0 * double(std::clock() - begin) / CLOCKS_PER_SEC / kFrames;
     std::printf("%-28s median %6.2f ms   95 in 100 below %6.2f ms   cores together %6.2f ms\n",
-                name, milliseconds[kFrames / 2], milliseconds[kFrames * 95 / 100], work);
+                name, quantile(milliseconds, 0.5), quantile(milliseconds, 0.95), work);
     std::fflush(stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    // VTK 9.1 finds its OpenGL functions through GLX only.
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "xcb");
-    MainWindow::prepareGraphics();
+    prepareBenchmark();
     QApplication application(argc, argv);
-    QApplication::setOrganizationName("kumite");
-    QApplication::setApplicationName("kumite-view-benchmark");
-    applyTheme(ThemeChoice::Dark);
-    const QStringList files = application.arguments().mid(1);
-    if (files.isEmpty()) {
-        std::fprintf(stderr, "kumite-view-benchmark RECORDING [RECORDING]\n");
-        return 2;
-    }
+    const QStringList files =
+        benchmarkFiles(application, "kumite-view-benchmark", "RECORDING [RECORDING]");
     OpenedProject opened = openRecordings(requestFor(files), {}, {});
     Session session;
     StageView view(session);

@@ -92,6 +92,79 @@ TEST_F(LabelCommand, ImportsLearnsAndWrites) {
     EXPECT_NE(all.find(",hand,"), std::string::npos);
 }
 
+TEST_F(LabelCommand, FindsJudgesAndComparesActions) {
+    ASSERT_EQ(kumite({"label", project, "--import", truth}).code, 0);
+    const auto found = json({"labels", project, "--filter", "kick, by hand, player 2", "--json"});
+    ASSERT_GT(found["count"].get<int>(), 0);
+    EXPECT_EQ(found["filter"], "kick · by hand · fighter 2");
+    for (const auto& each : found["actions"]) {
+        EXPECT_EQ(each["player"], 2);
+        EXPECT_EQ(each["source"], "hand");
+        EXPECT_NE(each["label"].get<std::string>().find("kick:"), std::string::npos);
+    }
+    const Result text = kumite({"labels", project, "--filter", "kick, by hand, player 2"});
+    EXPECT_EQ(std::count(text.out.begin(), text.out.end(), '\n'), found["count"].get<int>() + 1);
+
+    const auto& first = found["actions"][0];
+    const std::string name =
+        first["take"].get<std::string>() + ":2:" + std::to_string(first["action"].get<int>());
+    const auto similar =
+        json({"labels", project, "--similar", name, "--count", "4", "--json"})["similar"];
+    ASSERT_EQ(similar.size(), 4u);
+    EXPECT_LE(similar[0]["distance"], similar[3]["distance"]);
+
+    const auto judged = json({"labels", project, "--curve", "--json"});
+    EXPECT_GT(judged["aspects"]["left_punch"]["accuracy"].get<double>(), 0.8);
+    EXPECT_GT(judged["curve"].size(), 3u);
+    EXPECT_EQ(kumite({"labels", project, "--filter", "kik"}).code, 1);
+    EXPECT_EQ(kumite({"labels", project}).code, 2);
+    EXPECT_EQ(kumite({"labels", project, "--similar", "12"}).code, 2);
+    EXPECT_EQ(kumite({"labels", project, "--similar", "none:1:1"}).code, 1);
+    EXPECT_EQ(kumite({"labels", project, "--judge", "--filter", "kick"}).code, 2);
+}
+
+TEST_F(LabelCommand, ComparesAndMergesTwoPeople) {
+    ASSERT_EQ(kumite({"label", project, "--import", truth}).code, 0);
+    const std::string eaf = (folder / "mine.eaf").string();
+    ASSERT_EQ(kumite({"labels", project, "--out", eaf}).code, 0);
+    const auto same = json({"labels", project, "--compare", eaf, "--json"});
+    EXPECT_EQ(same["kappa"], 1.0);
+    EXPECT_EQ(same["both"], same["same"]);
+    EXPECT_TRUE(same["differences"].empty());
+
+    // Somebody else saw the first left punch the other way.
+    std::string other = test::readText(eaf);
+    const auto at = other.find("<ANNOTATION_VALUE>fwd</");
+    ASSERT_NE(at, std::string::npos);
+    other.replace(at + 18, 3, "bwd");
+    const std::string theirs = (folder / "theirs.eaf").string();
+    test::writeText(theirs, other);
+    const std::string table = (folder / "differences.csv").string();
+    const auto compared =
+        json({"labels", project, "--compare", theirs, "--differences", table, "--json"});
+    EXPECT_EQ(compared["differences"].size(), 1u);
+    EXPECT_LT(compared["kappa"].get<double>(), 1.0);
+    EXPECT_EQ(compared["differences"][0]["first"], "fwd");
+    EXPECT_EQ(compared["differences"][0]["second"], "bwd");
+    const std::string rows = test::readText(table);
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 2);
+    EXPECT_EQ(
+        json({"labels", project, "--compare", theirs, eaf, "--json"})["differences"][0]["first"],
+        "bwd");
+    EXPECT_EQ(json({"labels", project, "--compare", project, "--json"})["kappa"], 1.0);
+
+    const std::string before = test::readText(project);
+    const Result merged = kumite({"label", project, "--import", theirs, "--merge"});
+    EXPECT_EQ(merged.code, 0) << merged.err;
+    EXPECT_NE(merged.out.find("1 values differ"), std::string::npos) << merged.out;
+    EXPECT_EQ(test::readText(project), before) << "my labels stay";
+    EXPECT_EQ(kumite({"label", project, "--import", theirs}).code, 0);
+    EXPECT_NE(test::readText(project), before) << "without --merge the file wins";
+    EXPECT_EQ(kumite({"labels", project, "--compare", theirs, "--out", table}).code, 2);
+    EXPECT_EQ(kumite({"labels", project}).code, 2);
+    EXPECT_EQ(kumite({"labels", project, "--compare", theirs, "--differences", theirs}).code, 1);
+}
+
 TEST_F(LabelCommand, SaysWhatIsWrong) {
     EXPECT_EQ(kumite({"label", project}).code, 2);
     EXPECT_EQ(kumite({"label", project, "--auto", "--import", truth}).code, 2);

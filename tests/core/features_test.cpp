@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/formats/recording.h"
 #include "core/labelling/distances.h"
 #include "core/motion/heading.h"
 #include "core/motion/role_mapping.h"
@@ -57,16 +56,12 @@ TEST(Features, KnownAnswersOfARecording) {
     for (const char* name : {"features_martial_04", "features_martial_04_on_frames"}) {
         const auto known = test::knownAnswer(name);
         const auto& input = known["input"];
-        const Recording recording =
-            readRecording(*test::dataFolder() / input["file"].get<std::string>());
-        const Motion& motion = *recording.motions.front();
-        const SpaceConvention space{0.01, UpAxis::Y};
-        const FrameRange frames{input["trim"].get<int>(), motion.frameCount};
-        const RoleMap roles = mapRoles(*motion.skeleton).roles;
+        const test::KnownRecording recording(input);
+        const auto& [motion, frames, space, roles] = recording;
         const Action action{input["begin"].get<int>(), input["end"].get<int>(), 0};
         const FeatureMatrix row =
-            actionFeatures(*motion.skeleton, roles, forwardKinematics(motion, frames, space),
-                           headings(motion, frames, space, roles), {&action, 1});
+            actionFeatures(*motion->skeleton, roles, forwardKinematics(*motion, frames, space),
+                           headings(*motion, frames, space, roles), {&action, 1});
         ASSERT_EQ(row.cols(), 540);
         const auto& tolerance = known["tolerance"];
         for (std::size_t pose = 0; pose < 10; ++pose) {

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "core/formats/recording.h"
 #include "core/motion/role_mapping.h"
 #include "tests/support/builders.h"
 #include "tests/support/known_answers.h"
@@ -92,13 +91,9 @@ TEST(Headings, KnownAnswersOfARecording) {
     KUMITE_NEEDS_DATA();
     for (const char* name : {"features_martial_04", "features_martial_04_on_frames"}) {
         const auto known = test::knownAnswer(name);
-        const auto& input = known["input"];
-        const Recording recording =
-            readRecording(*test::dataFolder() / input["file"].get<std::string>());
-        const Motion& motion = *recording.motions.front();
-        const int trim = input["trim"].get<int>();
-        const auto yaw = headings(motion, {trim, motion.frameCount}, {0.01, UpAxis::Y},
-                                  mapRoles(*motion.skeleton).roles);
+        const test::KnownRecording recording(known["input"]);
+        const auto yaw =
+            headings(*recording.motion, recording.frames, recording.space, recording.roles);
         for (std::size_t i = 0; i < 10; ++i) {
             const double time = known["expected"]["times"][i].get<double>();
             const auto before = static_cast<std::size_t>(time);

@@ -102,6 +102,13 @@ TEST(House, OneFileKnowsLibsvm) {
     });
 }
 
+TEST(House, XmlLivesInTheFormatsAlone) {
+    forIncludes("core", [](const std::string& file, const std::string& include) {
+        if (file.starts_with("core/formats/")) return;
+        EXPECT_NE(include, "pugixml.hpp") << file;
+    });
+}
+
 TEST(House, VtkLivesInTheViewAlone) {
     forIncludes("studio", [](const std::string& file, const std::string& include) {
         if (file.starts_with("studio/view3d/")) return;

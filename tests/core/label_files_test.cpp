@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/formats/eaf.h"
 #include "core/formats/tables.h"
 #include "core/project/simulation.h"
 #include "tests/support/builders.h"
@@ -133,7 +134,7 @@ TEST(LabelTables, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(messageFor(header + "1,2,left_kick:out,1,,\n"),
               "l.csv:2: \"left_kick:out\" names no qualifier of left_kick.");
     EXPECT_EQ(messageFor(header + "1,2,others,1,oracle,\n"),
-              "l.csv:2: source is hand, rule or machine.");
+              "l.csv:2: source is hand, rule, machine or hand+rule.");
     EXPECT_EQ(messageFor(header + "1,2,others,1,machine,7\n"),
               "l.csv:2: confidence is a number from 0 to 1.");
     EXPECT_EQ(messageFor(header + "1,2,\"others,1,,\n"),
@@ -153,28 +154,70 @@ TEST(Csv, QuotesLinesAndByteOrderMarks) {
     EXPECT_EQ(lines[1].number, 3);
 }
 
-TEST(Eaf, HasATierPerFighterAndAspectWithTimesInMilliseconds) {
+TEST(LabelTables, ElanDocumentsGoOutAndComeBack) {
     Labelled made;
     made.project.takes[0].fighters[1].offset = -0.5;
-    const std::string eaf = labelsEaf(made.project, made.analysis, 0);
-    const auto count = [&](const std::string& what) {
-        int found = 0;
-        for (auto at = eaf.find(what); at != std::string::npos; at = eaf.find(what, at + 1))
-            ++found;
-        return found;
-    };
-    EXPECT_EQ(count("<TIER "), 14);
-    EXPECT_EQ(count("TIER_ID=\"fighter 1 left_punch\""), 1);
-    EXPECT_EQ(count("<ANNOTATION_VALUE>fwd</ANNOTATION_VALUE>"), 2 + 2)
-        << "two by hand, both punches of the machine's";
-    EXPECT_EQ(count("<ANNOTATION_VALUE>others<"), 0);
-    // Fighter 1's frame 0 stands 0.5 s after the clock's begin.
+    const std::string text = labelsEaf(made.project, made.analysis, 0);
+    const EafDocument eaf = parseEaf(text, "l.eaf");
+    ASSERT_EQ(eaf.tiers.size(), 2u * 8);
+    EXPECT_EQ(eaf.tiers[1].id, "fighter 1 left_punch");
+    EXPECT_EQ(eaf.tiers[1].parent, "fighter 1");
+    // Fighter 1's frame 0 stands 0.5 s after the document's begin.
     const auto& action = made.analysis.at(kRed).segmentation->actions[1];
-    const auto slot =
-        "TIME_VALUE=\"" + std::to_string(std::lround(1000 * (0.5 + action.begin / 60.0))) + "\"";
-    EXPECT_EQ(count(slot), 1);
-    EXPECT_EQ(count("TIME_SLOT_ID=\""), count("TIME_VALUE=\""));
-    EXPECT_EQ(count("<ANNOTATION>"), count("</ANNOTATION>"));
+    ASSERT_EQ(eaf.tiers[1].annotations.size(), 2u) << "what is others has no annotation";
+    EXPECT_NEAR(eaf.tiers[1].annotations[0].begin, 0.5 + action.begin / 60.0, 0.0006);
+    EXPECT_EQ(eaf.tiers[1].annotations[0].value, "fwd");
+    EXPECT_EQ(eaf.tiers[0].annotations.size(), made.analysis.at(kRed).segmentation->actions.size());
+
+    const auto labels = parseLabelsEaf(text, "l.eaf", kickboxing());
+    Project bare = made.bare();
+    const MatchedLabels matched = matchLabels(bare, made.analysis, labels);
+    EXPECT_EQ(matched.matched, 5);
+    EXPECT_TRUE(matched.unmatched.empty());
+    const auto edit = importLabels(bare, made.analysis, matched.fighters);
+    ASSERT_TRUE(edit);
+    EXPECT_EQ(edit->project, made.project);
+}
+
+TEST(LabelTables, AnActionTakesEachAspectFromTheLabelThatOverlapsItLongest) {
+    const Labelled made;
+    const Action& action = made.analysis.at(kRed).segmentation->actions[1];
+    const auto label = [&](double begin, double end, const char* text, const char* place) {
+        TimedLabel each;
+        each.begin = (action.begin + begin * (action.end - action.begin)) / 60.0;
+        each.end = (action.begin + end * (action.end - action.begin)) / 60.0;
+        each.place = place;
+        for (const int q : parseLabel(kickboxing(), text))
+            each.aspects.push_back({static_cast<std::int8_t>(q), LabelSource::Hand, 1.0f});
+        return each;
+    };
+    const auto matched = matchLabels(made.bare(), made.analysis,
+                                     {label(0.0, 0.7, "left_punch:fwd+jump:?", "one"),
+                                      label(0.0, 0.8, "left_punch:?+jump:up", "two"),
+                                      label(0.0, 0.6, "left_punch:bwd+jump:?", "three")});
+    EXPECT_EQ(labelText(kickboxing(), matched.fighters[0].labels[1].label()),
+              "left_punch:fwd+jump:up");
+    EXPECT_EQ(matched.matched, 2);
+}
+
+TEST(LabelTables, KnowWhatAHandSaidBesideTheRules) {
+    Labelled made;
+    FighterLabels rules{kRed,
+                        actionLabels(made.project.takes[0].fighters[0], made.analysis.at(kRed), 7)};
+    rules.labels[1].aspects[5] = {1, LabelSource::Rule, 0.5f};
+    Project mixed = made.bare();
+    const Label punch = parseLabel(kickboxing(), "left_punch:fwd+react:?");
+    mixed = setWholeLabel(mixed, made.analysis, kRed, {{1}}, punch)->project;
+    mixed = acceptLabels(mixed, made.analysis, {{rules}})->project;
+    const std::string csv = labelsCsv(mixed, made.analysis);
+    EXPECT_NE(csv.find(",hand+rule,0.500"), std::string::npos);
+    for (const auto& labels :
+         {parseLabelsCsv(csv, "l.csv", kickboxing()),
+          parseLabelsEaf(labelsEaf(mixed, made.analysis, 0), "l.eaf", kickboxing())}) {
+        ASSERT_EQ(labels.size(), 1u);
+        EXPECT_TRUE(labels[0].aspects[0].byHand());
+        EXPECT_EQ(labels[0].aspects[5], (AspectValue{1, LabelSource::Rule, 0.5f}));
+    }
 }
 
 TEST(Simulation, TheUserCorrectsTheCutThenAnswers) {

@@ -9,78 +9,12 @@
 #include "core/labelling/distances.h"
 #include "core/labelling/query.h"
 #include "core/labelling/scores.h"
+#include "tests/support/made_actions.h"
 
 namespace kumite {
 namespace {
 
-const char* const kKinds[] = {"others",         "left_punch:fwd",        "right_punch:fwd",
-                              "left_punch:bwd", "right_punch:bwd",       "left_kick:up",
-                              "right_kick:up",  "left_kick:down",        "right_kick:down",
-                              "jump:up",        "left_punch:fwd+jump:up"};
-
-/// Made actions: each kind has a pattern of its own, mirrored for the other side, plus noise. Every
-/// second action is of the first kind.
-struct MadeActions {
-    FeatureMatrix features;
-    std::vector<Label> truth;
-
-    explicit MadeActions(int count, float noise = 1.0f, std::uint32_t seed = 7,
-                         std::vector<std::string> kinds = {std::begin(kKinds), std::end(kKinds)}) {
-        std::mt19937 random(seed);
-        const auto uniform = [&] { return static_cast<float>(random()) / 4294967296.0f - 0.5f; };
-        features.resize(count, kFeatureCount);
-        for (int i = 0; i < count; ++i) {
-            const std::string& kind = kinds[i % 2 == 0 ? 0 : (random() % kinds.size())];
-            truth.push_back(parseLabel(kickboxing(), kind));
-            features.row(i) = pattern(kind);
-            for (int j = 0; j < kFeatureCount; ++j)
-                features(i, j) += noise * 2 * uniform();
-        }
-    }
-    static std::uint32_t seedOf(const std::string& text) {
-        std::uint32_t seed = 17;
-        for (const char c : text)
-            seed = 31 * seed + static_cast<std::uint32_t>(c);
-        return seed;
-    }
-    /// Patterns of mirrored kinds are mirror images.
-    static Eigen::RowVectorXf pattern(const std::string& kind) {
-        const Vocabulary& v = kickboxing();
-        const std::string mirror = labelText(v, mirroredLabel(v, parseLabel(v, kind)));
-        FeatureMatrix row(2, kFeatureCount);
-        for (int side = 0; side < 2; ++side) {
-            std::mt19937 random(seedOf(side == 0 ? kind : mirror));
-            FeatureMatrix own(1, kFeatureCount);
-            for (int j = 0; j < kFeatureCount; ++j)
-                own(0, j) = static_cast<float>(random()) / 4294967296.0f - 0.5f;
-            if (side == 0) {
-                row.row(0) = own.row(0);
-            } else {
-                mirrorFeatures({own.data(), kFeatureCount}, {row.row(1).data(), kFeatureCount});
-            }
-        }
-        return row.row(0) + row.row(1);
-    }
-    std::vector<Example> examples(int from, int to) const {
-        std::vector<Example> list;
-        for (int i = from; i < to; ++i)
-            list.push_back({i, truth[static_cast<std::size_t>(i)]});
-        return list;
-    }
-    /// Share of rows from `from` on with every learnt aspect right.
-    double accuracy(const Predictions& predictions, int from) const {
-        int right = 0;
-        const int count = static_cast<int>(truth.size());
-        for (int i = from; i < count; ++i) {
-            bool same = true;
-            for (int a = 0; a < 5; ++a)
-                same = same && predictions.at(i, a).qualifier ==
-                                   truth[static_cast<std::size_t>(i)][static_cast<std::size_t>(a)];
-            right += same;
-        }
-        return static_cast<double>(right) / (count - from);
-    }
-};
+using test::MadeActions;
 
 Predictions learn(const MadeActions& made, int examples, const LearningSettings& settings = {},
                   bool probabilities = false) {
@@ -186,6 +120,13 @@ TEST(Learner, TheSearchIsRepeatableAndCanBeCancelled) {
     EXPECT_EQ(set.searchParameters(), found);
     EXPECT_GE(made.accuracy(set.predict(found, false), 80) + 0.05,
               made.accuracy(set.predict(defaultParameters(kickboxing()), false), 80));
+    // What is found by chance among noise moves nothing.
+    MadeActions noise(120, 1.0f, 5, {"others"});
+    for (std::size_t i = 0; i < noise.truth.size(); i += 3)
+        noise.truth[i] = parseLabel(kickboxing(), i % 2 ? "left_punch:fwd" : "jump:up");
+    EXPECT_EQ(
+        TrainingSet(kickboxing(), noise.features, noise.examples(0, 100), {}).searchParameters(),
+        defaultParameters(kickboxing()));
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(set.searchParameters({{}, stop.get_token()}), Cancelled);
@@ -239,7 +180,7 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
     Predictions predictions{7, std::vector<Prediction>(7 * 40)};
     for (int i = 0; i < 40; ++i)
         predictions.at(i, 0) = {0, i < 20 ? 0.01 : 0.02, 0, false};
-    QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true, 0});
     const auto batch = queue.next(std::vector<bool>(40, false), &predictions);
     ASSERT_EQ(batch.size(), 10u);
     EXPECT_EQ(std::set<int>(batch.begin(), batch.end()).size(), 10u);
@@ -250,9 +191,22 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
     EXPECT_EQ(queue.next(std::vector<bool>(40, false), &predictions).front(), 33);
 }
 
+TEST(Queries, MarginsCountOnceEnoughIsLabelled) {
+    const MadeActions made(80);
+    Predictions predictions{7, std::vector<Prediction>(7 * 80)};
+    for (int i = 0; i < 80; ++i)
+        predictions.at(i, 0) = {0, i == 77 ? 0.01 : 3.0, 0, false};
+    QueryQueue queue(made.features, {5, 0.2, true, 20});
+    std::vector<bool> answered(80, false);
+    const auto before = queue.next(answered, &predictions);
+    EXPECT_EQ(before, queue.next(answered)) << "what stands for most, whatever the margins";
+    std::fill(answered.begin(), answered.begin() + 20, true);
+    EXPECT_EQ(queue.next(answered, &predictions).front(), 77);
+}
+
 TEST(Queries, NeverAskTwiceAndEndWhenAllIsAnswered) {
     const MadeActions made(23);
-    QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true, 0});
     std::vector<bool> answered(23, false);
     for (const std::size_t size : {10u, 10u, 3u, 0u}) {
         const auto batch = queue.next(answered);
@@ -305,15 +259,16 @@ TEST(Scores, WorkedOutOnPaper) {
 
 TEST(Scores, CohensKappa) {
     // 20 actions, both yes 10, both no 5, first only 3, second only 2.
-    std::vector<int> first, second;
-    const auto add = [&](int a, int b, int times) {
-        first.insert(first.end(), static_cast<std::size_t>(times), a);
-        second.insert(second.end(), static_cast<std::size_t>(times), b);
-    };
-    add(1, 1, 10), add(0, 0, 5), add(1, 0, 3), add(0, 1, 2), add(kUnknown, 1, 4);
+    const JudgementTable table = {{5, 2}, {3, 10}};
     const double chance = 13.0 / 20 * 12 / 20 + 7.0 / 20 * 8 / 20;
-    EXPECT_NEAR(*cohensKappa(first, second), (0.75 - chance) / (1 - chance), 1e-12);
-    EXPECT_EQ(cohensKappa({}, {}), std::nullopt);
+    EXPECT_NEAR(*cohensKappa({{table}}), (0.75 - chance) / (1 - chance), 1e-12);
+    EXPECT_EQ(cohensKappa({}), std::nullopt);
+    EXPECT_EQ(cohensKappa({{JudgementTable{{0, 0}, {0, 0}}}}), std::nullopt);
+    EXPECT_EQ(cohensKappa({{JudgementTable{{7, 0}, {0, 0}}}}), 1.0) << "the same single thing";
+    // A second aspect of 10 actions: 6 and 3 the same, 1 differs; by chance 0.7 * 0.6 + 0.3 * 0.4.
+    const JudgementTable second = {{6, 1}, {0, 3}};
+    const double byChance = 20 * chance + 10 * (0.7 * 0.6 + 0.3 * 0.4);
+    EXPECT_NEAR(*cohensKappa({{table, second}}), (15 + 9 - byChance) / (30 - byChance), 1e-12);
 }
 
 }  // namespace

@@ -348,13 +348,15 @@ TEST_F(WindowTest, SettingsAreOneUndoableStepEach) {
     EXPECT_EQ(session().fighter(0)->segmentation->actions.size(), before);
 }
 
-TEST_F(WindowTest, LettersTypedIntoAFieldAreNoCommands) {
+TEST_F(WindowTest, LettersTypedIntoAFieldOfTextAreNoCommands) {
     openBout();
-    auto* field = window_->findChild<SegmentPanel*>()->findChild<QDoubleSpinBox*>();
-    field->setFocus();
     session().transport().setPlayhead(2.0);
-    QTest::keyClick(field, Qt::Key_S, {}, 0);
-    QTest::keyClicks(field->findChild<QLineEdit*>(), "s");
+    press(Qt::Key_N, Qt::ControlModifier);
+    auto* note = timeline().findChild<QLineEdit*>();
+    ASSERT_NE(note, nullptr);
+    ASSERT_TRUE(note->isVisible());
+    QTest::keyClicks(note, "snag");
+    EXPECT_EQ(note->text(), "snag");
     EXPECT_EQ(session().document().history().position(), 0U);
 }
 

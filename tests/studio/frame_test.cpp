@@ -79,24 +79,6 @@ TEST_F(WindowTest, KeysOfTheWindowDoWhatHandsExpect) {
     EXPECT_TRUE(window_->documentPanel().isVisible());
 }
 
-TEST_F(WindowTest, ArrowKeysWorkWhereverTheFocusIs) {
-    openBout();
-    for (auto* button : window_->findChildren<QToolButton*>()) {
-        if (!button->isVisible() || button->focusPolicy() == Qt::NoFocus) continue;
-        button->setFocus();
-        press(Qt::Key_Home);
-        QTest::keyClick(button, Qt::Key_Right);
-        EXPECT_EQ(session().shownFrame(0), 1) << button->accessibleName().toStdString();
-    }
-    for (auto* list : window_->findChildren<QAbstractItemView*>()) {
-        if (!list->isVisible()) continue;
-        list->setFocus();
-        press(Qt::Key_Home);
-        QTest::keyClick(list, Qt::Key_Right);
-        EXPECT_EQ(session().shownFrame(0), 1) << list->accessibleName().toStdString();
-    }
-}
-
 TEST_F(WindowTest, UndoInAFieldOfANumberUndoesTheEdit) {
     openBout();
     QDoubleSpinBox* field = nullptr;
@@ -227,20 +209,22 @@ TEST_F(WindowTest, NotesAreCountedAndListed) {
     EXPECT_FALSE(texts().contains("A quiet remark."));
 }
 
-TEST_F(WindowTest, ASingleWorkspaceIsNamedQuietly) {
-    ASSERT_EQ(window_->workspaces().all().size(), 1U);
+TEST_F(WindowTest, WorkspacesAreTabsAndCommands) {
     EXPECT_EQ(window_->workspaces().current(), "segment");
     auto* bar = window_->menuBar()->findChild<WorkspaceBar*>();
     ASSERT_NE(bar, nullptr);
-    EXPECT_TRUE(bar->findChildren<QToolButton*>().isEmpty());
-    EXPECT_EQ(window_->commands().find("workspace.segment"), nullptr);
+    EXPECT_EQ(std::size_t(bar->findChildren<QToolButton*>().size()),
+              window_->workspaces().all().size());
+    window_->commands().run("workspace.graph");
+    EXPECT_EQ(window_->workspaces().current(), "graph");
 }
 
 TEST(Workspaces, RegisterThemselvesWithPanelCommandsAndKeys) {
     QWidget window;
     CommandTable table(&window);
     QStackedWidget panels(&window);
-    Workspaces workspaces(table, &panels);
+    QStackedWidget centres(&window);
+    Workspaces workspaces(table, &panels, &centres);
     WorkspaceBar bar(workspaces, &window);
     QString ran;
     const auto make = [&](const QString& id) {
@@ -252,6 +236,10 @@ TEST(Workspaces, RegisterThemselvesWithPanelCommandsAndKeys) {
     };
     workspaces.add(make("segment"));
     workspaces.add(make("label"));
+    EXPECT_TRUE(centres.isHidden()) << "nothing stands beside the 3D view";
+    Workspace withCentre = make("graph");
+    withCentre.centre = new QWidget;
+    workspaces.add(withCentre);
     workspaces.addSwitchCommands("View");
     QMenuBar menus;
     table.fillMenus(&menus);
@@ -262,6 +250,11 @@ TEST(Workspaces, RegisterThemselvesWithPanelCommandsAndKeys) {
     table.run("workspace.label");
     EXPECT_EQ(workspaces.current(), "label");
     EXPECT_EQ(panels.currentIndex(), 1);
+    table.run("workspace.graph");
+    EXPECT_EQ(centres.currentWidget(), withCentre.centre);
+    EXPECT_FALSE(centres.isHidden());
+    table.run("workspace.label");
+    EXPECT_TRUE(centres.isHidden());
     EXPECT_FALSE(table.action("segment.act")->isVisible());
     table.run("label.act");
     EXPECT_EQ(ran, "label");

@@ -161,6 +161,41 @@ TEST_F(WindowTest, PaletteRunsACommandByItsName) {
     EXPECT_TRUE(window_->panelsShown());
 }
 
+TEST_F(WindowTest, PaletteKnowsTheWordsOfOtherPrograms) {
+    QSettings().remove("palette");
+    openBout();
+    session().goTo(someBoundary(0));
+    const std::vector<std::pair<const char*, const char*>> words = {
+        {"reject", "review.reject"},        {"accept", "review.accept"},
+        {"split", "boundary.add"},          {"cut", "boundary.add"},
+        {"dark mode", "view.theme2"},       {"screenshot", "view.savePicture"},
+        {"render", "view.savePicture"},     {"settings", "app.preferences"},
+        {"shortcuts", "help.keys"},         {"csv", "file.export"},
+        {"import", "file.openRecordings"},  {"comment", "action.note"},
+        {"slow motion", "transport.slower"}};
+    window_->commandPalette().open();
+    for (const auto& [typed, id] : words) {
+        paletteField(*window_)->setText(typed);
+        const QStringList shown = window_->commandPalette().shownCommands();
+        EXPECT_TRUE(shown.mid(0, 3).contains(id)) << typed << ": " << shown.join(' ').toStdString();
+    }
+    paletteField(*window_)->setText("delete");
+    const QStringList shown = window_->commandPalette().shownCommands();
+    for (const char* id : {"boundary.toggle", "review.reject", "take.remove"})
+        EXPECT_TRUE(shown.contains(id)) << id;
+    // What is called so comes before what others call so.
+    const std::vector<std::pair<const char*, const char*>> names = {
+        {"remove", "boundary.toggle"}, {"join", "boundary.mergeLeft"}, {"loop", "transport.loop"}};
+    for (const auto& [typed, id] : names) {
+        paletteField(*window_)->setText(typed);
+        const QString first = window_->commandPalette().shownCommands().value(0);
+        const Command* command = window_->commands().find(first);
+        ASSERT_NE(command, nullptr) << typed;
+        EXPECT_TRUE(command->plainText().contains(typed, Qt::CaseInsensitive)) << typed;
+        EXPECT_TRUE(window_->commandPalette().shownCommands().contains(id)) << typed;
+    }
+}
+
 TEST_F(WindowTest, PaletteIsLeftByEscapeAndOffersOnlyWhatCanBeDone) {
     press(Qt::Key_K, Qt::ControlModifier);
     EXPECT_FALSE(window_->commandPalette().shownCommands().contains("file.save"));

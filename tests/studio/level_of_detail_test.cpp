@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <QPainter>
+
 #include <algorithm>
 #include <cmath>
 #include <random>
 
+#include "studio/timeline/curve_painter.h"
 #include "studio/timeline/loop_handles.h"
 #include "studio/timeline/snapping.h"
 #include "studio/timeline/time_mapping.h"
@@ -24,13 +27,20 @@ std::vector<double> noise(std::size_t size, unsigned seed) {
     return samples;
 }
 
+/// On the line that joins the samples.
+float valueAt(const std::vector<double>& samples, double sample) {
+    const auto before = std::min(static_cast<std::size_t>(sample), samples.size() - 2);
+    const double share = sample - static_cast<double>(before);
+    return static_cast<float>(samples[before] + share * (samples[before + 1] - samples[before]));
+}
+
 TEST(CurveColumns, LoseNoPeakAtAnyZoomAndAnyScroll) {
     std::mt19937 random(11);
     for (const std::size_t size : {1U, 2U, 37U, 1000U, 20'000U}) {
         const std::vector<double> samples = noise(size, static_cast<unsigned>(size));
         const CurvePyramid curve(samples);
         for (int trial = 0; trial < 60; ++trial) {
-            const double step = std::pow(10.0, std::uniform_real_distribution<>(-3, -0.2)(random));
+            const double step = std::pow(10.0, std::uniform_real_distribution<>(-3, 1.5)(random));
             const double left = 118, right = 118 + 900;
             const SampleAxis axis{std::uniform_real_distribution<>(
                                       right - static_cast<double>(size) * step - 50, right)(random),
@@ -67,25 +77,85 @@ TEST(CurveColumns, TouchEachOtherAndHoldNothingThatIsElsewhere) {
             EXPECT_LE(columns[i].low, columns[i - 1].high);
             EXPECT_GE(columns[i].high, columns[i - 1].low);
         }
-        // Its own samples and the one before.
-        const auto first = static_cast<std::size_t>(std::ceil(axis.sampleAt(columns[i].x))) - 1;
-        const auto end = static_cast<std::size_t>(std::ceil(axis.sampleAt(columns[i].x + 1)));
-        const auto [low, high] = std::minmax_element(samples.begin() + static_cast<long>(first),
-                                                     samples.begin() + static_cast<long>(end));
-        ASSERT_FLOAT_EQ(columns[i].low, static_cast<float>(*low)) << i;
-        ASSERT_FLOAT_EQ(columns[i].high, static_cast<float>(*high)) << i;
+        // The line from edge to edge and every sample between.
+        const double from = axis.sampleAt(columns[i].x);
+        const double to = axis.sampleAt(columns[i].x + 1);
+        float low = std::min(valueAt(samples, from), valueAt(samples, to));
+        float high = std::max(valueAt(samples, from), valueAt(samples, to));
+        for (double sample = std::ceil(from); sample <= to; ++sample) {
+            low = std::min(low, valueAt(samples, sample));
+            high = std::max(high, valueAt(samples, sample));
+        }
+        ASSERT_NEAR(columns[i].low, low, 1e-5) << i;
+        ASSERT_NEAR(columns[i].high, high, 1e-5) << i;
     }
     EXPECT_TRUE(curveColumns(curve, {1000, 0.1}, 0, 400).empty()) << "the curve is elsewhere";
     EXPECT_TRUE(curveColumns(CurvePyramid(), axis, 0, 400).empty());
 }
 
-TEST(SamplesWithin, ReachBeyondBothEdges) {
-    const SampleAxis axis{10, 3};
-    const SampleRange range = samplesWithin(axis, 1000, 100, 200);
-    EXPECT_LE(axis.xOf(static_cast<double>(range.begin)), 100);
-    EXPECT_GE(axis.xOf(static_cast<double>(range.end - 1)), 200);
-    EXPECT_EQ(samplesWithin(axis, 20, 500, 600).begin, samplesWithin(axis, 20, 500, 600).end);
-    EXPECT_EQ(samplesWithin(axis, 20, -100, 600).end, 20U);
+TEST(CurveColumns, BetweenSamplesFollowTheLineThatJoinsThem) {
+    const CurvePyramid curve(std::vector<double>{1, 3, 2});
+    const auto columns = curveColumns(curve, {10, 20}, 0, 100);
+    ASSERT_EQ(columns.size(), 40U) << "from the first sample to the last";
+    EXPECT_EQ(columns.front().x, 10);
+    EXPECT_FLOAT_EQ(columns[5].low, 1.5F);
+    EXPECT_FLOAT_EQ(columns[5].high, 1.6F);
+    EXPECT_FLOAT_EQ(columns[19].high, 3) << "the peak is not cut";
+    EXPECT_FLOAT_EQ(columns[39].low, 2);
+}
+
+TEST(CurvePicture, ShowsEveryPeakAtAnyZoomScrollAndScreen) {
+    std::mt19937 random(5);
+    const QRectF plot(20, 10, 300, 80);
+    for (int trial = 0; trial < 300; ++trial) {
+        std::vector<double> samples(1 + trial * 37U % 4000, 0.2);
+        const std::size_t peak = random() % samples.size();
+        samples[peak] = std::uniform_real_distribution<>(0.3, 1)(random);
+        const double ratio = trial % 3 == 0 ? 2 : trial % 3 == 1 ? 1.5 : 1;
+        const double step = std::pow(10.0, std::uniform_real_distribution<>(-2, 1.5)(random));
+        const double x = std::uniform_real_distribution<>(22, 318)(random);
+        const SampleAxis axis{x - step * static_cast<double>(peak), step};
+        CurvePicture picture(QRectF(20, 5, 300, 95), ratio);
+        const ValueAxis values{0, 1};
+        picture.draw(CurvePyramid(samples), axis, values, plot, Qt::red,
+                     trial % 2 == 0 ? 1.0 : 1.4);
+        QImage image(QSize(340, 110) * ratio, QImage::Format_ARGB32_Premultiplied);
+        image.setDevicePixelRatio(ratio);
+        image.fill(Qt::black);
+        QPainter painter(&image);
+        picture.paintOnto(painter);
+        painter.end();
+        // Something of it lies within a pixel of where the peak belongs, and nothing above.
+        const QPointF at = QPointF(x, values.yOf(samples[peak], plot)) * ratio;
+        int ink = 0, above = 0;
+        for (int column = int(at.x()) - 1; column <= int(at.x()) + 1; ++column) {
+            for (int row = 0; row <= int(at.y()) + 1; ++row)
+                (row < int(at.y()) - 2 ? above : ink) += qRed(image.pixel(column, row));
+        }
+        ASSERT_GT(ink, 60) << "trial " << trial << ", step " << step;
+        ASSERT_EQ(above, 0) << "trial " << trial << ", step " << step;
+    }
+}
+
+TEST(CurvePicture, StaysInItsPlotAndIsEvenWhereTheCurveIs) {
+    CurvePicture picture(QRectF(0, 0, 100, 60), 1);
+    const QRectF plot(0, 20, 100, 20);
+    // Far above, far below, level.
+    picture.draw(CurvePyramid(std::vector<double>{9, 9, -9, -9, 0.5, 0.5}), {0, 20}, {0, 1}, plot,
+                 Qt::white, 1);
+    QImage image(100, 60, QImage::Format_RGB32);
+    image.fill(Qt::black);
+    QPainter painter(&image);
+    picture.paintOnto(painter);
+    painter.end();
+    for (int x = 0; x < 100; ++x) {
+        for (int y = 0; y < 60; ++y) {
+            if (y < 19 || y > 40) ASSERT_EQ(qRed(image.pixel(x, y)), 0) << x << " " << y;
+        }
+    }
+    // A level line of one pixel, wherever it falls between two rows.
+    for (int x = 82; x < 98; ++x)
+        EXPECT_NEAR(qRed(image.pixel(x, 29)) + qRed(image.pixel(x, 30)), 255, 3) << x;
 }
 
 TEST(HeaviestPerCell, KeepsTheHeaviestOfEveryCellInOrder) {

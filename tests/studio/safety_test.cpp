@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 
 #include <csignal>
+#include <functional>
 #include <random>
 
 #include <sys/resource.h>
@@ -210,66 +211,99 @@ TEST_F(SafetyTest, TheLockOfADeadStudioIsNoObstacle) {
     EXPECT_EQ(session().document().path(), project());
 }
 
-/// Adds boundaries and saves now and then, in the real program; it is killed at a random instant.
-/// What it had told is there again, but for the act in progress.
-TEST_F(SafetyTest, KilledAtAnyInstantAtMostTheActInProgressIsLost) {
+/// Acts in the real program that is killed at a random instant, again and again. What it had told
+/// is there again, but for the act in progress.
+struct KilledSession {
+    QString before;          ///< lines of the script that come first
+    QStringList acts;        ///< lines of each act; `told` is one of them
+    QString told;            ///< the command that makes an act
+    std::vector<int> truth;  ///< what `count` gives after so many acts
+    std::function<int(const Project&)> count;
+    int rounds = 6;
+};
+
+class KillTest : public SafetyTest {
+protected:
+    void expectNothingLost(const KilledSession& killed) {
+        window_.reset();
+        std::mt19937 random(20080131);
+        QFile saved(project());
+        ASSERT_TRUE(saved.open(QIODevice::ReadOnly));
+        const QByteArray whole = saved.readAll();
+        saved.close();
+        writeText(file("script"), killed.before + killed.acts.join(QString()) + "wait 100000\n");
+        const int lines = static_cast<int>(killed.acts.join(QString()).count('\n'));
+        for (int round = 0; round < killed.rounds; ++round) {
+            writeText(project(), QString::fromUtf8(whole));
+            const QString home = file(QString("home%1").arg(round));
+            QStringList told;
+            {
+                Studio studio(home, {"--script", file("script"), project()});
+                const int acts = static_cast<int>(killed.before.count('\n')) +
+                                 std::uniform_int_distribution(1, lines - 1)(random);
+                told = studio.lines(acts);
+                ASSERT_GE(told.size(), acts) << studio.readAllStandardError().toStdString();
+                QTest::qSleep(std::uniform_int_distribution(0, 9)(random));
+                studio.kill();
+                studio.waitForFinished();
+                told = studio.lines(1000);
+            }
+            const auto done = static_cast<std::size_t>(told.count(killed.told));
+            // The file is whole, whatever was being written.
+            int recovered = killed.count(onDisk());
+            const QDir folder(home + "/kumite/kumite-studio/recovery");
+            for (const QFileInfo& copy : folder.entryInfoList({"*.edit"}, QDir::Files)) {
+                QFile text(copy.absoluteFilePath());
+                ASSERT_TRUE(text.open(QIODevice::ReadOnly));
+                const QByteArray about = text.readLine();
+                EXPECT_TRUE(about.contains(project().toUtf8()));
+                const Project found =
+                    parseProject(text.readAll().toStdString(), "copy", toPath(folder.path()));
+                recovered = std::max(recovered, killed.count(found));
+            }
+            // Nothing that was told is missing; the act in progress may be there.
+            EXPECT_GE(recovered, killed.truth[done]) << "round " << round;
+            EXPECT_LE(recovered, killed.truth[std::min(done + 1, killed.truth.size() - 1)])
+                << "round " << round;
+        }
+    }
+};
+
+TEST_F(KillTest, WhileBoundariesAreAddedAtMostTheActInProgressIsLost) {
     openSaved();
     constexpr int kActs = 60;
-    const auto momentOfAct = [](int act) { return 0.08 + 0.155 * act; };
+    KilledSession killed{{}, {}, "boundary.add", {}, corrections};
     // How many corrections there are after each act: some fall where a boundary is already.
-    std::vector<int> truth{corrections(session().document().project())};
+    killed.truth = {corrections(session().document().project())};
     for (int i = 0; i < kActs; ++i) {
-        session().transport().setPlayhead(momentOfAct(i));
+        const double moment = 0.08 + 0.155 * i;
+        session().transport().setPlayhead(moment);
         session().addBoundaryAtPlayhead();
-        truth.push_back(corrections(session().document().project()));
+        killed.truth.push_back(corrections(session().document().project()));
+        killed.acts.append(QString("time %1\nboundary.add\n").arg(moment) +
+                           (i % 7 == 6 ? "file.save\n" : ""));
     }
-    ASSERT_GT(truth.back(), kActs / 2);
-    window_.reset();
-    std::mt19937 random(20080131);
-    const QByteArray whole = [&] {
-        QFile saved(project());
-        EXPECT_TRUE(saved.open(QIODevice::ReadOnly));
-        return saved.readAll();
-    }();
-    QString script;
+    ASSERT_GT(killed.truth.back(), kActs / 2);
+    expectNothingLost(killed);
+}
+
+TEST_F(KillTest, WhileActionsAreLabelledAtMostTheActInProgressIsLost) {
+    openSaved();
+    const auto labelled = [](const Project& project) {
+        int count = 0;
+        for (const Fighter& fighter : project.takes.at(0).fighters)
+            count += static_cast<int>(fighter.labels->size());
+        return count;
+    };
+    KilledSession killed{"workspace.label\nlabel.next\n", {}, "label.class1", {0}, labelled, 2};
+    constexpr int kActs = 6;
+    ASSERT_GT(session().fighter(0)->segmentation->actions.size(), std::size_t(kActs));
     for (int i = 0; i < kActs; ++i) {
-        script += QString("time %1\n").arg(momentOfAct(i));
-        script += "boundary.add\n";
-        if (i % 7 == 6) script += "file.save\n";
+        // An answer goes on to the next question by itself.
+        killed.truth.push_back(i + 1);
+        killed.acts.append(i % 3 == 2 ? "label.class1\nfile.save\n" : "label.class1\n");
     }
-    writeText(file("script"), script + "wait 100000\n");
-    for (int round = 0; round < 6; ++round) {
-        writeText(project(), QString::fromUtf8(whole));
-        const QString home = file(QString("home%1").arg(round));
-        QStringList told;
-        {
-            Studio studio(home, {"--script", file("script"), project()});
-            const int acts = std::uniform_int_distribution(1, 120)(random);
-            told = studio.lines(acts);
-            ASSERT_GE(told.size(), acts) << studio.readAllStandardError().toStdString();
-            QTest::qSleep(std::uniform_int_distribution(0, 9)(random));
-            studio.kill();
-            studio.waitForFinished();
-            told = studio.lines(1000);
-        }
-        const auto added = static_cast<std::size_t>(told.count("boundary.add"));
-        // The file is whole, whatever was being written.
-        const int saved = corrections(onDisk());
-        const QDir folder(home + "/kumite/kumite-studio/recovery");
-        int recovered = saved;
-        for (const QFileInfo& copy : folder.entryInfoList({"*.edit"}, QDir::Files)) {
-            QFile text(copy.absoluteFilePath());
-            ASSERT_TRUE(text.open(QIODevice::ReadOnly));
-            const QByteArray about = text.readLine();
-            EXPECT_TRUE(about.contains(project().toUtf8()));
-            recovered =
-                std::max(recovered, corrections(parseProject(text.readAll().toStdString(), "copy",
-                                                             toPath(folder.path()))));
-        }
-        // Nothing that was told is missing; the act in progress may be there.
-        EXPECT_GE(recovered, truth[added]) << "round " << round;
-        EXPECT_LE(recovered, truth[std::min(added + 1, truth.size() - 1)]) << "round " << round;
-    }
+    expectNothingLost(killed);
 }
 
 }  // namespace

@@ -231,6 +231,7 @@ TEST_F(TimelineTest, RowsAreChosenAndRemembered) {
          {"timeline.rawForce", "timeline.handSpeed", "timeline.footSpeed", "timeline.height"}) {
         const QImage before = timeline().grab().toImage();
         window_->commands().run(command);
+        settle();
         EXPECT_NE(timeline().grab().toImage(), before) << command;
     }
     EXPECT_GT(timeline().minimumHeight(), low);
@@ -243,6 +244,99 @@ TEST_F(TimelineTest, RowsAreChosenAndRemembered) {
     MainWindow another;
     EXPECT_EQ(another.timeline().options(), timeline().options());
     QSettings().remove(QStringLiteral("timeline"));
+}
+
+TEST_F(TimelineTest, CurvesOnWishAreMadeBesideTheWindow) {
+    openBout();
+    const QImage plain = timeline().grab().toImage();
+    window_->commands().run("timeline.handSpeed");
+    EXPECT_TRUE(timeline().isPreparing());
+    EXPECT_TRUE(window_->isBusy());
+    settle();
+    EXPECT_FALSE(timeline().isPreparing());
+    const QImage with = timeline().grab().toImage();
+    // Off before it was made: it does not come back.
+    window_->commands().run("timeline.footSpeed");
+    window_->commands().run("timeline.footSpeed");
+    settle();
+    EXPECT_EQ(timeline().grab().toImage(), with);
+    window_->commands().run("timeline.handSpeed");
+    settle();
+    EXPECT_EQ(timeline().grab().toImage(), plain);
+    // Another cutoff does not touch them.
+    window_->commands().run("timeline.handSpeed");
+    settle();
+    SegmentationSettings settings = session().document().project().segmentation;
+    settings.cutoff = 4;
+    session().document().apply(
+        [&](const Project& project) { return setSegmentation(project, settings); });
+    while (session().document().isComputing())
+        QTest::qWait(1);
+    EXPECT_FALSE(timeline().isPreparing());
+    QSettings().remove(QStringLiteral("timeline"));
+}
+
+TEST_F(TimelineTest, WhatIsDraggedGoesWithItsBoundaryOrItsTake) {
+    openBout();
+    ASSERT_TRUE(session().document().apply([](const Project& project) {
+        Take one = project.takes[0];
+        one.name = "alone";
+        one.fighters.pop_back();
+        return addTake(project, one);
+    }));
+    settle();
+    const auto begin = [&] {
+        const BoundaryRef boundary = someBoundary(1);
+        session().setVisible({session().timeOf(boundary) - 1, session().timeOf(boundary) + 1});
+        const QPoint at = timeline().pointOf(boundary).toPoint();
+        QTest::mousePress(&timeline(), Qt::LeftButton, {}, at);
+        QTest::mouseMove(&timeline(), at + QPoint(30, 0));
+        QTest::mouseMove(&timeline(), at + QPoint(40, 0));
+        EXPECT_NE(session().transport().shownTime(), session().transport().playhead());
+        return at + QPoint(40, 0);
+    };
+    const auto steps = [&] { return session().document().history().steps().size(); };
+    // Undo while it is held takes the boundary from under it.
+    const BoundaryRef added{1, someBoundary(1).frame + 11};
+    session().setActivePlayer(1);
+    session().transport().setPlayhead(session().timeOf(added));
+    press(Qt::Key_S);
+    const auto before = steps();
+    session().setVisible({session().timeOf(added) - 1, session().timeOf(added) + 1});
+    const QPoint at = timeline().pointOf(added).toPoint();
+    QTest::mousePress(&timeline(), Qt::LeftButton, {}, at);
+    QTest::mouseMove(&timeline(), at + QPoint(30, 0));
+    QTest::mouseMove(&timeline(), at + QPoint(40, 0));
+    press(Qt::Key_Z, Qt::ControlModifier);
+    QTest::mouseRelease(&timeline(), Qt::LeftButton, {}, at + QPoint(40, 0));
+    EXPECT_EQ(steps(), before) << "nothing was moved";
+    EXPECT_TRUE(session().document().history().canRedo());
+    EXPECT_EQ(session().transport().shownTime(), session().transport().playhead());
+
+    const QPoint held = begin();
+    session().setTake(1);
+    timeline().grab();
+    QTest::mouseRelease(&timeline(), Qt::LeftButton, {}, held);
+    EXPECT_EQ(steps(), before) << "nothing was moved in the other take";
+    EXPECT_EQ(session().take(), 1);
+}
+
+TEST_F(TimelineTest, WhatIsHeldStaysUnderTheHandWhilePlaying) {
+    openBout();
+    const BoundaryRef boundary = someBoundary(0);
+    const double moment = session().timeOf(boundary);
+    session().setVisible({moment - 0.5, moment + 0.5});
+    const TimeSpan visible = session().visible();
+    const QPoint at = timeline().pointOf(boundary).toPoint();
+    QTest::mousePress(&timeline(), Qt::LeftButton, {}, at);
+    QTest::mouseMove(&timeline(), at + QPoint(10, 0));
+    session().transport().setPlaying(true);
+    session().transport().setPlayhead(moment + 3);
+    QTest::mouseMove(&timeline(), at + QPoint(20, 0));
+    EXPECT_EQ(session().visible().begin, visible.begin);
+    QTest::mouseRelease(&timeline(), Qt::LeftButton, Qt::ControlModifier, at + QPoint(20, 0));
+    EXPECT_GT(session().selection()->frame, boundary.frame);
+    session().transport().setPlaying(false);
 }
 
 TEST_F(TimelineTest, MiddleDragPansAndShiftWheelScrolls) {
@@ -288,6 +382,7 @@ TEST_F(TimelineTest, ABodyWithoutForceIsCutByHandWithTheMouseToo) {
     EXPECT_GT(session().selection()->frame, 100);
     for (const char* command : {"timeline.rawForce", "timeline.handSpeed", "timeline.footSpeed"}) {
         window_->commands().run(command);
+        settle();
         timeline().grab();
     }
     EXPECT_EQ(window_->messages().text(), said) << "nothing failed";

@@ -7,6 +7,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <set>
 
 #include "studio/app/commands.h"
 #include "studio/timeline/timeline_view.h"
@@ -186,6 +187,68 @@ TEST_F(View3dTest, MeasuresBetweenClickedJointsAndStaysLive) {
     press(Qt::Key_Escape);
     EXPECT_FALSE(stage().isMeasuring());
     EXPECT_FALSE(stage().measuredDistance());
+}
+
+TEST_F(View3dTest, MeasuresByKeysAlone) {
+    QString said;
+    const QObject listener;
+    QObject::connect(&session(), &Session::hovered, &listener,
+                     [&](const QString& text) { said = text; });
+    const auto stepTo = [&](int player, Role role) {
+        for (int i = 0; i < 60; ++i) {
+            if (stage().measuring().hovered == JointRef{player, joint(player, role)}) return true;
+            press(Qt::Key_PageDown, Qt::AltModifier);
+        }
+        return false;
+    };
+    // The first step begins to measure.
+    press(Qt::Key_PageDown, Qt::AltModifier);
+    ASSERT_TRUE(stage().isMeasuring());
+    ASSERT_TRUE(stepTo(0, Role::LeftWrist));
+    const auto speed = [&](int frame) {
+        const FighterAnalysis& fighter = *session().fighter(0);
+        return QString::number(jointSpeed(fighter.motion->positions, joint(0, Role::LeftWrist),
+                                          frame, fighter.input.rate),
+                               'f', 1);
+    };
+    EXPECT_EQ(said, QString("fighter 1: left wrist   %1 m/s").arg(speed(120)));
+    session().transport().setPlayhead(2.1);
+    EXPECT_EQ(said, QString("fighter 1: left wrist   %1 m/s").arg(speed(126))) << "as it is now";
+    press(Qt::Key_M, Qt::ShiftModifier);
+    EXPECT_TRUE(said.endsWith("from fighter 1: left wrist"));
+    // The same joint of the other fighter, then on to the head.
+    press(Qt::Key_Tab);
+    EXPECT_EQ(stage().measuring().hovered, (JointRef{1, joint(1, Role::LeftWrist)}));
+    ASSERT_TRUE(stepTo(1, Role::Head));
+    press(Qt::Key_M, Qt::ShiftModifier);
+    const double distance = (jointAt(*session().fighter(0), 126, joint(0, Role::LeftWrist)) -
+                             jointAt(*session().fighter(1), 126, joint(1, Role::Head)))
+                                .norm();
+    ASSERT_TRUE(stage().measuredDistance());
+    EXPECT_NEAR(*stage().measuredDistance(), distance, 1e-5);
+    EXPECT_TRUE(said.endsWith(
+        QString("%1 m from fighter 1: left wrist to fighter 2: head").arg(distance, 0, 'f', 2)))
+        << said.toStdString();
+    EXPECT_EQ(stage().accessibleDescription(), said);
+    const JointRef before = *stage().measuring().hovered;
+    press(Qt::Key_PageUp, Qt::AltModifier);
+    EXPECT_NE(stage().measuring().hovered, before);
+    press(Qt::Key_Escape);
+    EXPECT_TRUE(said.isEmpty()) << "over is over";
+}
+
+TEST_F(View3dTest, KeysLeadThroughEveryJointOnceAndRoundAgain) {
+    std::set<int> seen;
+    const int count = session().fighter(0)->motion->positions.jointCount;
+    for (int i = 0; i < count; ++i) {
+        press(Qt::Key_PageDown, Qt::AltModifier);
+        seen.insert(stage().measuring().hovered->joint);
+    }
+    EXPECT_EQ(int(seen.size()), count);
+    const JointRef last = *stage().measuring().hovered;
+    press(Qt::Key_PageDown, Qt::AltModifier);
+    press(Qt::Key_PageUp, Qt::AltModifier);
+    EXPECT_EQ(stage().measuring().hovered, last);
 }
 
 TEST_F(View3dTest, HoveredJointTellsItsNameAndSpeed) {

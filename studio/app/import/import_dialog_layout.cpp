@@ -70,6 +70,7 @@ void ImportDialog::makeAnswers(int player) {
     };
     a.file = new QLineEdit(this);
     a.file->setAccessibleName(of(tr("Recording")));
+    a.file->setToolTip(tr("Path of the recording; the button beside it, or a drop, chooses one"));
     a.file->setAcceptDrops(false);
     a.file->setPlaceholderText(player == 0 ? tr("a .bvh or .amc file")
                                            : tr("none: a single fighter"));
@@ -229,6 +230,7 @@ void ImportDialog::layOut(const QString& project) {
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFixedHeight(72);
+    scroll->setAccessibleName(tr("What was found in the recordings"));
     layout->addWidget(scroll);
 
     auto* row = new QHBoxLayout;

@@ -62,6 +62,7 @@ ImportPreview::ImportPreview(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 300);
     setAccessibleName(tr("Preview of both fighters"));
+    setAccessibleDescription(tr("From above, from the side, and their distance over time"));
     setToolTip(tr("Space plays, ← → steps, a drag on the distance scrubs"));
     timer_.setInterval(16);
     connect(&timer_, &QTimer::timeout, this, &ImportPreview::advance);

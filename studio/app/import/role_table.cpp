@@ -44,6 +44,8 @@ RoleTable::RoleTable(QWidget* parent)
     table_->setAccessibleName(tr("Joints of the roles"));
     table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     table_->verticalHeader()->setDefaultSectionSize(26);
+    table_->setToolTip(tr("Which joint of the recording is which part of the body"));
+    table_->setTabKeyNavigation(false);  // Tab leads out of it again
     table_->setShowGrid(false);
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setHorizontalHeaderLabels({tr("fighter 1"), tr("fighter 2")});

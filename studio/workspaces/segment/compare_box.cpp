@@ -40,9 +40,7 @@ CompareBox::CompareBox(Session& session, QWidget* parent)
     layout->addWidget(fields_);
     layout->addWidget(counts_);
     layout->addWidget(use_, 0, Qt::AlignLeft);
-    on_->setToolTip(
-        tr("Draw beside the project's boundaries (A) those that other settings give "
-           "(C)"));
+    on_->setToolTip(tr("Draw beside the project's boundaries (A) those that other settings give"));
     counts_->setAccessibleName(tr("Boundaries that differ"));
     counts_->setToolTip(tr("On the timeline: ○ only in A, dotted lines only in B"));
     use_->setToolTip(tr("Cut the project by settings B"));

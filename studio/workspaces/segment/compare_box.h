@@ -24,6 +24,7 @@ public:
 
     bool isOn() const;
     void setOn(bool on);
+    QCheckBox* toggle() const { return on_; }
 
 Q_SIGNALS:
     void toggled();

@@ -95,7 +95,7 @@ void DetectionBox::choose() {
     if (!session_.document().isOpen()) return;
     waiting_ = fields_->settings();
     // While values are computed a slider waits for them, so that something is seen on the way.
-    if (!fields_->isDragged() || session_.document().isCurrent()) act();
+    if (!fields_->isDragged() || !session_.document().isComputing()) act();
 }
 
 void DetectionBox::act() {

@@ -83,24 +83,30 @@ void acceptSuspect(Session& session) {
     const BoundaryMark* mark = selectedMark(session);
     if (mark == nullptr) return;
     const BoundaryRef boundary = *session.selection();
-    if (!mark->isLive()) session.toggleBoundary(boundary);
-    session.acceptBoundary(boundary);
-    goOn(session);
+    session.whenCurrent([&session, boundary, live = mark->isLive()] {
+        if (!live) session.setBoundaryLive(boundary, true);
+        session.acceptBoundary(boundary);
+        goOn(session);
+    });
 }
 
 void rejectSuspect(Session& session) {
     const BoundaryMark* mark = selectedMark(session);
     if (mark == nullptr) return;
-    if (mark->isLive()) session.toggleBoundary(*session.selection());
-    goOn(session);
+    session.whenCurrent([&session, boundary = *session.selection(), live = mark->isLive()] {
+        if (live) session.setBoundaryLive(boundary, false);
+        goOn(session);
+    });
 }
 
 void reviewAgain(Session& session) {
     const BoundaryMark* mark = selectedMark(session);
     if (mark == nullptr) return;
     const BoundaryRef boundary = *session.selection();
-    if (!mark->isLive()) session.toggleBoundary(boundary);
-    session.withdrawAcceptance(boundary);
+    session.whenCurrent([&session, boundary, live = mark->isLive()] {
+        if (!live) session.setBoundaryLive(boundary, true);
+        session.withdrawAcceptance(boundary);
+    });
 }
 
 }  // namespace kumite::studio

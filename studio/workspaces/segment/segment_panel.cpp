@@ -1,5 +1,6 @@
 #include "studio/workspaces/segment/segment_panel.h"
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -8,6 +9,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "studio/app/commands.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/segment/compare_box.h"
@@ -87,8 +89,6 @@ QTableView* SegmentPanel::makeTable() {
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(SuspectsModel::ReasonColumn, QHeaderView::Stretch);
     const QFontMetrics metrics = fontMetrics();
-    header->resizeSection(SuspectsModel::TimeColumn,
-                          metrics.horizontalAdvance(QStringLiteral("00:00.00")) + 22);
     header->resizeSection(SuspectsModel::SuspicionColumn,
                           metrics.horizontalAdvance(QStringLiteral("100 %")) + 12);
     header->setHighlightSections(false);
@@ -119,7 +119,7 @@ QWidget* SegmentPanel::makeDecisions() {
     layout->addLayout(buttons);
     for (QPushButton* button : {accept_, remove_})
         button->setFocusPolicy(Qt::TabFocus);
-    accept_->setToolTip(tr("It is a boundary: no suspect any more; goes on to the next (Return)"));
+    accept_->setToolTip(tr("It is a boundary: no suspect any more; goes on to the next"));
     connect(accept_, &QPushButton::clicked, this, [this] { acceptSuspect(session_); });
     connect(remove_, &QPushButton::clicked, this, [this] {
         const auto& selected = session_.selection();
@@ -143,6 +143,10 @@ void SegmentPanel::showFighters() {
     filling_ = true;
     model_->refresh();
     filling_ = false;
+    // As wide as the latest moment and the dot before it.
+    const QString latest = timeText(session_.transport().span().end, 0.01);
+    table_->horizontalHeader()->resizeSection(SuspectsModel::TimeColumn,
+                                              fontMetrics().horizontalAdvance(latest) + 30);
     table_->setVisible(model_->rowCount() > 0);
     empty_->setVisible(model_->rowCount() == 0);
     statistics_->refresh();
@@ -167,8 +171,7 @@ void SegmentPanel::showSelection() {
                         (mark->isOpen() || (removed && mark->minimum.has_value())));
     remove_->setEnabled(mark != nullptr);
     remove_->setText(removed ? tr("Restore") : tr("Remove"));
-    remove_->setToolTip(removed ? tr("Bring the boundary back (Del)")
-                                : tr("It is spurious; goes on to the next (Backspace)"));
+    showTips(removed);
     if (row >= 0) {
         // A number and its unit stay together.
         static const QRegularExpression beforeUnit(QStringLiteral("(?<=\\d) "));
@@ -176,11 +179,29 @@ void SegmentPanel::showSelection() {
     } else {
         const bool anySuspect = model_->rowCount() > 0 && model_->suspectAt(0).isOpen() &&
                                 model_->suspectAt(0).suspicion >= kSuspect;
-        reason_->setText(mark         ? tr("A boundary that a hand has set.")
-                         : anySuspect ? tr("N leads to the most suspicious minimum.")
-                                      : tr("No suspect is left. N leads through the others."));
+        const QString key = commands_ ? commands_->find("review.next")->keysText() : QString();
+        reason_->setText(mark ? tr("A boundary that a hand has set.")
+                         : anySuspect
+                             ? tr("%1 leads to the most suspicious minimum.").arg(key)
+                             : tr("No suspect is left. %1 leads through the others.").arg(key));
     }
     filling_ = false;
+}
+
+void SegmentPanel::showTips(bool removed) {
+    const QString command = removed ? "boundary.toggle" : "review.reject";
+    const QString tip =
+        removed ? tr("Bring the boundary back") : tr("It is spurious; goes on to the next");
+    remove_->setProperty("command", command);
+    remove_->setToolTip(commands_ ? commands_->withKey(tip, command) : tip);
+}
+
+void SegmentPanel::tellKeys(CommandTable& commands) {
+    commands_ = &commands;
+    commands.tellKey(accept_, "review.accept");
+    commands.tellKey(compare_->toggle(), "segment.compare");
+    connect(&commands, &CommandTable::renamed, this, &SegmentPanel::showSelection);
+    showSelection();
 }
 
 void SegmentPanel::chooseRow(int row) {

@@ -8,6 +8,7 @@ class QTableView;
 
 namespace kumite::studio {
 
+class CommandTable;
 class CompareBox;
 class Session;
 class StatisticsBox;
@@ -25,15 +26,19 @@ public:
     /// The list of suspects: the keys of a review work in it.
     QWidget* list() const;
     CompareBox& comparison() { return *compare_; }
+    /// Tips and hints name the keys of these from now on.
+    void tellKeys(CommandTable& commands);
 
 private:
     QTableView* makeTable();
     QWidget* makeDecisions();
     void showFighters();
     void showSelection();
+    void showTips(bool removed);
     void chooseRow(int row);
 
     Session& session_;
+    const CommandTable* commands_ = nullptr;
     SuspectsModel* model_;
     QTableView* table_;
     QLabel* empty_;

@@ -17,7 +17,9 @@ namespace kumite::studio {
 namespace {
 
 QIcon dot(const QColor& colour) {
-    QPixmap pixmap(8, 8);
+    constexpr double kRatio = 2;  // sharp on dense screens, too
+    QPixmap pixmap(QSize(8, 8) * kRatio);
+    pixmap.setDevicePixelRatio(kRatio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);

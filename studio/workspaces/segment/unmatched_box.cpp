@@ -81,10 +81,12 @@ void UnmatchedBox::decide(bool add) {
     const auto index = static_cast<std::size_t>(std::max(0, list_->currentRow()));
     if (index >= rows_.size()) return;
     const Row row = rows_[index];
-    const FighterAddress address{session_.take(), row.player};
-    session_.document().apply([&](const Project& project, const Analysis& analysis) {
-        return add ? addBoundaryOfCorrection(project, analysis, address, row.correction)
-                   : forgetCorrection(project, analysis, address, row.correction);
+    session_.whenCurrent([this, row, add] {
+        session_.document().apply([&](const Project& project, const Analysis& analysis) {
+            const FighterAddress address{session_.take(), row.player};
+            return add ? addBoundaryOfCorrection(project, analysis, address, row.correction)
+                       : forgetCorrection(project, analysis, address, row.correction);
+        });
     });
 }
 

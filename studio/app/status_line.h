@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QLabel>
+#include <QTimer>
+
+namespace kumite::studio {
+
+/// The line at the bottom of the window. It shows what was said last, while that holds; else what
+/// the pointer is on; else what the keys do now.
+class StatusLine : public QLabel {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    /// What the keys do now.
+    void setKeys(const QString& text);
+    /// What the pointer is on; empty: nothing.
+    void setPointer(const QString& text);
+    /// What was done, or why something was not: until the next thing is done, or some seconds long.
+    /// Empty: what was said does not hold any more.
+    void say(const QString& sentence);
+
+private:
+    void refresh();
+
+    QString keys_, pointer_, said_;
+    QTimer fading_;
+};
+
+}  // namespace kumite::studio

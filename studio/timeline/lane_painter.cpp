@@ -1,0 +1,220 @@
+#include "studio/timeline/lane_painter.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+#include "studio/timeline/level_of_detail.h"
+#include "studio/timeline/track_painter.h"
+
+namespace kumite::studio {
+
+namespace {
+
+constexpr double kUsualLane = 14;
+constexpr double kLowestLane = 8;
+constexpr double kStrip = 14;
+constexpr double kTextWidth = 26;  ///< of a block that has its qualifier written in it
+
+double relativeLuminance(const QColor& colour) {
+    const auto linear = [](double c) {
+        return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double la = relativeLuminance(a);
+    const double lb = relativeLuminance(b);
+    return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+/// What must not vanish under another cell of the same pixel.
+int weightOf(const LaneCell& cell) {
+    switch (cell.look) {
+        case LaneLook::Open:
+            return 0;
+        case LaneLook::Nothing:
+            return cell.byHand ? 2 : 1;
+        case LaneLook::Rule:
+            return 3;
+        case LaneLook::Proposed:
+            return cell.uncertain ? 5 : 4;
+        case LaneLook::Accepted:
+            return 6;
+        case LaneLook::Hand:
+            return 7;
+    }
+    return 0;
+}
+
+/// Paints the lanes of one row.
+class LanePainter {
+public:
+    LanePainter(QPainter& painter, const LaneSource& lanes, const Colours& colours)
+        : painter_(painter), lanes_(lanes), colours_(colours) {}
+
+    void paintCell(const QRect& block, int lane, const LaneCell& cell, bool withText) {
+        if (cell.look == LaneLook::Open) return;
+        if (cell.look == LaneLook::Nothing) {
+            // A line along the middle: somebody looked, and there is nothing.
+            const QColor line = cell.byHand ? colours_.secondText
+                                            : mixed(colours_.ground, colours_.secondText, 0.45);
+            const int y = block.center().y();
+            painter_.fillRect(QRect(block.left(), y, block.width(), cell.byHand ? 2 : 1), line);
+            return;
+        }
+        const QColor colour = classColour(lanes_.valueColour(lane, cell.value), colours_);
+        const double share = cell.look == LaneLook::Hand       ? 1.0
+                             : cell.look == LaneLook::Accepted ? 0.62
+                             : cell.look == LaneLook::Proposed ? 0.38
+                                                               : 0.10;
+        const QColor fill = mixed(colours_.ground, colour, cell.uncertain ? 0.12 : share);
+        painter_.fillRect(block, fill);
+        if (cell.uncertain) painter_.fillRect(block, QBrush(colour, Qt::BDiagPattern));
+        const bool outlined = cell.look == LaneLook::Rule || cell.uncertain;
+        if (outlined && block.width() > 3) {
+            painter_.setPen(QPen(mixed(colours_.ground, colour, 0.75), 1));
+            painter_.setBrush(Qt::NoBrush);
+            painter_.drawRect(block.adjusted(0, 0, -1, -1));
+        }
+        if (!withText || block.width() < kTextWidth) return;
+        const QColor ground = cell.uncertain ? mixed(colours_.ground, colour, 0.12) : fill;
+        const QColor dark("#16171a");
+        const QColor light("#f6f6f7");
+        painter_.setPen(contrast(dark, ground) > contrast(light, ground) ? dark : light);
+        const QString text = lanes_.valueText(lane, cell.value);
+        const int room = block.width() - 6;
+        if (cell.uncertain) {
+            // Letters on hatching cannot be read.
+            const int width = std::min(room, painter_.fontMetrics().horizontalAdvance(text));
+            painter_.fillRect(
+                QRect(block.left() + 2, block.top() + 1, width + 3, block.height() - 2), ground);
+        }
+        painter_.drawText(block.adjusted(3, 0, -3, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                          painter_.fontMetrics().elidedText(text, Qt::ElideRight, room));
+    }
+
+private:
+    QPainter& painter_;
+    const LaneSource& lanes_;
+    const Colours& colours_;
+};
+
+/// Of several lanes the one that is shown where there is room for one; with its cell.
+std::pair<int, LaneCell> foremost(std::span<const LaneCell> cells) {
+    int best = 0;
+    for (int lane = 1; lane < static_cast<int>(cells.size()); ++lane) {
+        const LaneCell& cell = cells[static_cast<std::size_t>(lane)];
+        if (weightOf(cell) > weightOf(cells[static_cast<std::size_t>(best)])) best = lane;
+    }
+    return {best, cells[static_cast<std::size_t>(best)]};
+}
+
+}  // namespace
+
+int LanePlace::laneAt(double y, int count) const {
+    if (collapsed || height <= 0 || y < area.top() || y >= area.bottom()) return -1;
+    return std::clamp(static_cast<int>((y - area.top()) / height), 0, count - 1);
+}
+
+double laneHeight(double room, int count) {
+    if (count == 0) return 0;
+    const double each = std::floor(room / count);
+    return each >= kLowestLane ? std::min(each, kUsualLane) : 0;
+}
+
+QColor classColour(const QColor& colour, const Colours& colours) {
+    QColor seen = colour;
+    for (int i = 0; i < 8 && contrast(seen, colours.ground) < 2.2; ++i)
+        seen = mixed(seen, colours.text, 0.12);
+    return seen;
+}
+
+void paintLanes(QPainter& painter, const LaneSource& lanes, const Session& session, int player,
+                const LanePlace& place, const Colours& colours, const TimeMapping& mapping) {
+    const FighterAnalysis* fighter = session.fighter(player);
+    const int count = lanes.laneCount();
+    const std::span<const LaneCell> cells = lanes.cells(player);
+    if (fighter == nullptr || count == 0 || place.area.isEmpty()) return;
+    const auto& actions = fighter->segmentation->actions;
+    const int rows = place.collapsed ? 1 : count;
+    const double height = place.collapsed ? kStrip : place.height;
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    QFont small = painter.font();
+    small.setPixelSize(std::clamp(static_cast<int>(height) - 1, 8, 11));
+    const QFont font = painter.font();
+    painter.setFont(small);
+
+    const auto top = [&](int row) { return static_cast<int>(place.area.top() + row * height); };
+    for (int row = 0; row < rows; ++row) {
+        const bool chosen = !place.collapsed && row == lanes.chosenLane();
+        const QRect ground(static_cast<int>(place.area.left()), top(row),
+                           static_cast<int>(place.area.width()), static_cast<int>(height) - 1);
+        painter.fillRect(ground, mixed(colours.ground, colours.text, chosen ? 0.09 : 0.035));
+        const QString name = place.collapsed ? LaneSource::tr("labels") : lanes.laneName(row);
+        painter.setPen(chosen ? colours.text : colours.secondText);
+        const QRectF header(4, top(row), place.area.left() - 10, height - 1);
+        painter.drawText(header, Qt::AlignRight | Qt::AlignVCenter, name);
+        if (chosen) {
+            painter.fillRect(QRectF(place.area.left() - 4, top(row), 2, height - 1),
+                             colours.accent);
+        }
+    }
+    if (cells.size() != actions.size() * static_cast<std::size_t>(count)) {
+        painter.setFont(font);
+        return;
+    }
+
+    painter.setClipRect(place.area);
+    const SampleAxis axis = frameAxis(fighter->input, mapping);
+    const auto first = std::partition_point(actions.begin(), actions.end(), [&](const Action& a) {
+        return axis.xOf(a.end) < place.area.left();
+    });
+    LanePainter blocks(painter, lanes, colours);
+    for (int row = 0; row < rows; ++row) {
+        const auto cellOf = [&](std::size_t action) {
+            const auto own = cells.subspan(action * static_cast<std::size_t>(count),
+                                           static_cast<std::size_t>(count));
+            return place.collapsed ? foremost(own)
+                                   : std::pair(row, own[static_cast<std::size_t>(row)]);
+        };
+        // What falls on one pixel, or says the same as its neighbour where blocks are narrow, is
+        // painted as one.
+        QRect block;
+        std::pair<int, LaneCell> shown;
+        bool any = false;
+        const auto flush = [&] {
+            if (any) blocks.paintCell(block, shown.first, shown.second, height >= 11);
+            any = false;
+        };
+        for (auto action = first;
+             action != actions.end() && axis.xOf(action->begin) <= place.area.right(); ++action) {
+            const int left = static_cast<int>(std::lround(axis.xOf(action->begin)));
+            int right = static_cast<int>(std::lround(axis.xOf(action->end)));
+            const bool narrow = right - left < 3;
+            const auto cell = cellOf(static_cast<std::size_t>(action - actions.begin()));
+            if (any && right <= block.left() + 1) {
+                if (weightOf(cell.second) > weightOf(shown.second)) shown = cell;
+                continue;
+            }
+            if (any && narrow && cell == shown) {
+                block.setRight(right - 1);
+                continue;
+            }
+            flush();
+            // A gap between neighbours, where there is room for one.
+            if (right - left > 5) --right;
+            block = QRect(left, top(row), std::max(1, right - left), static_cast<int>(height) - 1);
+            shown = cell;
+            any = true;
+        }
+        flush();
+    }
+    painter.setClipping(false);
+    painter.setFont(font);
+}
+
+}  // namespace kumite::studio

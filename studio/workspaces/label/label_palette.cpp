@@ -1,0 +1,285 @@
+#include "studio/workspaces/label/label_palette.h"
+
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+
+#include <algorithm>
+
+#include "studio/app/theme.h"
+#include "studio/timeline/lane_painter.h"
+#include "studio/workspaces/label/label_lanes.h"
+#include "studio/workspaces/label/label_review.h"
+#include "studio/workspaces/label/label_words.h"
+
+namespace kumite::studio {
+
+namespace {
+
+constexpr int kRow = 18;
+constexpr int kChip = 18;
+constexpr int kGap = 4;
+
+/// A label in half a line: "L punch fwd", "R kick up" where the aspect has a mirror, by the first
+/// letter of what tells it from that.
+QString shortWords(const Vocabulary& vocabulary, const Label& label) {
+    for (int a = 0; a < vocabulary.size(); ++a) {
+        const int value = label[static_cast<std::size_t>(a)];
+        const Aspect& aspect = vocabulary[a];
+        if (value == kUnknown || value == aspect.fallback) continue;
+        QString name = QString::fromStdString(aspect.name);
+        const auto blank = name.indexOf(QLatin1Char(' '));
+        if (aspect.mirror != a && blank > 1) name = name.left(1) + name.mid(blank);
+        return name + QLatin1Char(' ') +
+               QString::fromStdString(aspect.qualifiers[static_cast<std::size_t>(value)].id);
+    }
+    return labelWords(vocabulary, label);
+}
+
+/// A key as a small cap; gives its width. Nothing without a key.
+int paintKey(QPainter& painter, const QPoint& at, const QString& key, const Colours& c) {
+    if (key.isEmpty()) return 0;
+    const int width = std::max(14, painter.fontMetrics().horizontalAdvance(key) + 8);
+    const QRectF cap(at.x() + 0.5, at.y() + 1.5, width - 1, kRow - 4);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(mixed(c.line, c.secondText, 0.4), 1));
+    painter.setBrush(mixed(c.panel, c.ground, 0.5));
+    painter.drawRoundedRect(cap, 3, 3);
+    painter.setPen(c.text);
+    painter.drawText(cap, Qt::AlignCenter, key);
+    return width;
+}
+
+}  // namespace
+
+LabelPalette::LabelPalette(LabelReview& review, std::function<QString(const QString& id)> keyOf,
+                           QWidget* parent)
+    : QWidget(parent), review_(review), keyOf_(std::move(keyOf)) {
+    setAccessibleName(tr("Classes and their keys"));
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setSizePolicy(policy);
+    layOut();
+}
+
+void LabelPalette::refresh() {
+    layOut();
+    update();
+}
+
+QSize LabelPalette::sizeHint() const {
+    return {200, height_};
+}
+
+QSize LabelPalette::minimumSizeHint() const {
+    return {120, height_};
+}
+
+void LabelPalette::resizeEvent(QResizeEvent*) {
+    layOut();
+}
+
+void LabelPalette::layOut() {
+    const int before = height_;
+    spots_.clear();
+    const Vocabulary& vocabulary = review_.labels().vocabulary();
+    int top = 0;
+    for (int a = 0; a < vocabulary.size(); ++a) {
+        Spot lane;
+        lane.kind = Spot::Lane;
+        lane.index = a;
+        lane.place = QRect(0, top, width(), kRow);
+        lane.text = QString::fromStdString(vocabulary[a].name);
+        spots_.push_back(lane);
+        top += kRow;
+        if (a == review_.labels().aspect()) addClasses(top);
+    }
+    top += kGap;
+    quickTop_ = top;
+    addQuick(top);
+    height_ = top;
+    if (height_ != before) updateGeometry();
+}
+
+/// The classes of the chosen lane, as chips in lines.
+void LabelPalette::addClasses(int& top) {
+    const Vocabulary& vocabulary = review_.labels().vocabulary();
+    const Aspect& aspect = vocabulary[review_.labels().aspect()];
+    int left = 10;
+    for (std::size_t q = 0; q < aspect.qualifiers.size(); ++q) {
+        const Qualifier& qualifier = aspect.qualifiers[q];
+        Spot chip;
+        chip.kind = Spot::Class;
+        chip.index = static_cast<int>(q);
+        chip.key =
+            qualifier.key.empty()
+                ? QString()
+                : keyOf_(
+                      QStringLiteral("label.class%1").arg(QString::fromStdString(qualifier.key)));
+        chip.text =
+            QString::fromStdString(qualifier.id == "others" ? qualifier.name : qualifier.id);
+        chip.tip = aspectWords(vocabulary, review_.labels().aspect(), chip.index);
+        chip.colour = QColor(QString::fromStdString(qualifier.colour));
+        const int cap = chip.key.isEmpty()
+                            ? 0
+                            : std::max(14, fontMetrics().horizontalAdvance(chip.key) + 8) + 3;
+        const int wide = cap + 6 + fontMetrics().horizontalAdvance(chip.text) + 8;
+        if (left > 10 && left + wide > width()) {
+            left = 10;
+            top += kChip + 2;
+        }
+        chip.place = QRect(left, top, wide, kChip);
+        spots_.push_back(chip);
+        left += wide + kGap;
+    }
+    top += kChip + kGap;
+}
+
+/// Quick labels; one and its mirror image share a line.
+void LabelPalette::addQuick(int& top) {
+    const Vocabulary& vocabulary = review_.labels().vocabulary();
+    const auto& all = vocabulary.quick;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const bool pair = i + 1 < all.size() && all[i + 1].label != all[i].label &&
+                          mirroredLabel(vocabulary, all[i].label) == all[i + 1].label;
+        for (std::size_t k = i; k <= i + (pair ? 1U : 0U); ++k) {
+            Spot quick;
+            quick.kind = Spot::Quick;
+            quick.index = static_cast<int>(k);
+            quick.key = keyOf_(QStringLiteral("label.quick%1").arg(k + 1));
+            quick.key.replace(QStringLiteral("Shift+"), QStringLiteral("⇧"));
+            quick.text = labelWords(vocabulary, all[k].label);
+            quick.tip = quick.text;
+            const int half = (width() - kGap) / 2;
+            quick.place = pair ? QRect(k == i ? 0 : half + kGap, top, half, kRow)
+                               : QRect(0, top, width(), kRow);
+            if (pair) quick.text = shortWords(vocabulary, all[k].label);
+            spots_.push_back(quick);
+        }
+        if (pair) ++i;
+        top += kRow;
+    }
+}
+
+void LabelPalette::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    for (const Spot& spot : spots_) {
+        if (spot.kind == Spot::Lane) paintLane(painter, spot);
+        if (spot.kind == Spot::Class) paintClass(painter, spot);
+        if (spot.kind == Spot::Quick) paintQuick(painter, spot);
+    }
+    const Colours& c = coloursFor(palette());
+    painter.fillRect(QRect(0, quickTop_ - kGap / 2, width(), 1), c.line);
+}
+
+void LabelPalette::paintLane(QPainter& painter, const Spot& spot) {
+    const Colours& c = coloursFor(palette());
+    const LabelSession& labels = review_.labels();
+    const bool chosen = spot.index == labels.aspect();
+    if (chosen) {
+        painter.fillRect(spot.place, mixed(c.panel, c.text, 0.07));
+        painter.fillRect(QRect(0, spot.place.top(), 2, spot.place.height()), c.accent);
+    }
+    painter.setPen(chosen ? c.text : c.secondText);
+    const QRect name = spot.place.adjusted(8, 0, -spot.place.width() / 2, 0);
+    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter, spot.text);
+    const ShownAction* action = labels.current();
+    if (action == nullptr) return;
+    const Aspect& aspect = labels.vocabulary()[spot.index];
+    const ShownAspect& shown = action->aspects[static_cast<std::size_t>(spot.index)];
+    if (!shown.value.known()) return;
+    const LaneCell cell = laneCell(aspect, shown);
+    const auto& qualifier = aspect.qualifiers[static_cast<std::size_t>(shown.value.qualifier)];
+    const QColor colour = classColour(QColor(QString::fromStdString(qualifier.colour)), c);
+    const int middle = spot.place.center().y();
+    const QRect swatch(spot.place.width() / 2, middle - 4, 9, 9);
+    if (cell.look != LaneLook::Nothing) {
+        const bool full = cell.look == LaneLook::Hand;
+        const bool outlined = cell.look == LaneLook::Rule || cell.uncertain;
+        painter.fillRect(swatch, mixed(c.panel, colour, full ? 1.0 : outlined ? 0.15 : 0.5));
+        if (cell.uncertain) painter.fillRect(swatch, QBrush(colour, Qt::BDiagPattern));
+        painter.setPen(colour);
+        painter.setBrush(Qt::NoBrush);
+        if (outlined) painter.drawRect(swatch.adjusted(0, 0, -1, -1));
+    }
+    QString text = QString::fromStdString(qualifier.name);
+    const bool machine = shown.value.source == LabelSource::Machine;
+    if (machine && shown.value.confidence > 0) {
+        text += QStringLiteral("  %1").arg(static_cast<double>(shown.value.confidence), 0, 'f', 2);
+    }
+    painter.setPen(cell.byHand ? c.text : c.secondText);
+    const QRect rest = spot.place.adjusted(spot.place.width() / 2 + 14, 0, 0, 0);
+    painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, rest.width()));
+}
+
+void LabelPalette::paintClass(QPainter& painter, const Spot& spot) {
+    const Colours& c = coloursFor(palette());
+    const LabelSession& labels = review_.labels();
+    const ShownAction* action = labels.current();
+    const auto lane = static_cast<std::size_t>(labels.aspect());
+    const bool is = action && action->aspects[lane].value.qualifier == spot.index;
+    const bool brush = review_.brush() == Brush{labels.aspect(), spot.index};
+    const int cap = paintKey(painter, spot.place.topLeft(), spot.key, c);
+    const QRectF chip = QRectF(spot.place).adjusted(cap + (cap ? 3 : 0) + 0.5, 1.5, -0.5, -1.5);
+    const QColor colour = classColour(spot.colour, c);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(brush ? c.accent : colour, brush ? 2 : 1));
+    painter.setBrush(is ? mixed(c.panel, colour, 0.45) : QBrush(Qt::NoBrush));
+    painter.drawRoundedRect(chip, 3, 3);
+    painter.setPen(c.text);
+    painter.drawText(chip, Qt::AlignCenter, spot.text);
+}
+
+void LabelPalette::paintQuick(QPainter& painter, const Spot& spot) {
+    const Colours& c = coloursFor(palette());
+    const int cap = paintKey(painter, spot.place.topLeft(), spot.key, c);
+    const QRect rest = spot.place.adjusted(cap + 5, 0, 0, 0);
+    painter.setPen(c.text);
+    painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(spot.text, Qt::ElideRight, rest.width()));
+}
+
+const LabelPalette::Spot* LabelPalette::spotAt(const QPoint& position) const {
+    const auto found = std::find_if(spots_.begin(), spots_.end(), [&](const Spot& spot) {
+        return spot.place.contains(position);
+    });
+    return found == spots_.end() ? nullptr : &*found;
+}
+
+void LabelPalette::mousePressEvent(QMouseEvent* event) {
+    const Spot* spot = spotAt(event->pos());
+    if (spot == nullptr) return;
+    const int index = spot->index;
+    LabelSession& labels = review_.labels();
+    switch (spot->kind) {
+        case Spot::Lane:
+            labels.setAspect(index);
+            break;
+        case Spot::Class:
+            if (event->button() == Qt::RightButton) {
+                const Brush brush{labels.aspect(), index};
+                review_.setBrush(review_.brush() == brush ? std::nullopt : std::optional(brush));
+            } else {
+                review_.nameQualifier(index);
+            }
+            break;
+        case Spot::Quick:
+            review_.quick(index);
+            break;
+    }
+}
+
+bool LabelPalette::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const Spot* spot = spotAt(help->pos());
+    QString tip = spot ? spot->tip : QString();
+    if (spot && spot->kind == Spot::Class) {
+        tip += tr("\nRight click: paint with it over actions of the timeline");
+    }
+    QToolTip::showText(help->globalPos(), tip, this);
+    return true;
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,136 @@
+#include "studio/workspaces/label/progress_box.h"
+
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "studio/app/theme.h"
+#include "studio/app/words.h"
+#include "studio/workspaces/label/label_review.h"
+
+namespace kumite::studio {
+
+namespace {
+
+constexpr const char* kThreshold = "label/threshold";
+
+/// By hand solid, accepted lighter, open empty.
+class ProgressStrip : public QWidget {
+public:
+    ProgressStrip(const LabelSession& labels, QWidget* parent) : QWidget(parent), labels_(labels) {
+        setFixedHeight(8);
+    }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        const Colours& c = coloursFor(palette());
+        const LabelProgress& progress = labels_.progress();
+        painter.fillRect(rect(), mixed(c.panel, c.line, 0.6));
+        if (progress.actions == 0) return;
+        const double unit = static_cast<double>(width()) / progress.actions;
+        const double hand = progress.byHand * unit;
+        painter.fillRect(QRectF(0, 0, hand, height()), c.accent);
+        painter.fillRect(QRectF(hand, 0, progress.accepted * unit, height()),
+                         mixed(c.panel, c.accent, 0.45));
+    }
+
+private:
+    const LabelSession& labels_;
+};
+
+}  // namespace
+
+ProgressBox::ProgressBox(LabelReview& review, QWidget* parent)
+    : QWidget(parent),
+      review_(review),
+      labels_(review.labels()),
+      bar_(new ProgressStrip(review.labels(), this)),
+      counts_(new QLabel(this)),
+      advice_(new QLabel(this)),
+      threshold_(new QDoubleSpinBox(this)),
+      accept_(new QPushButton(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(bar_);
+    layout->addWidget(counts_);
+    layout->addWidget(advice_);
+    counts_->setWordWrap(true);
+    counts_->setAccessibleName(tr("Progress of labelling"));
+    advice_->setWordWrap(true);
+    advice_->setProperty("role", "second");
+    advice_->setAccessibleName(tr("What to do next"));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(accept_, 1);
+    row->addWidget(threshold_);
+    layout->addLayout(row);
+    accept_->setFocusPolicy(Qt::TabFocus);
+    accept_->setToolTip(
+        tr("Keep what machine and rules propose where they are at least so sure; "
+           "one step of the history (Ctrl+Return)"));
+    threshold_->setRange(0, 1);
+    threshold_->setSingleStep(0.05);
+    threshold_->setDecimals(2);
+    threshold_->setPrefix(QStringLiteral("p ≥ "));
+    threshold_->setValue(QSettings().value(QLatin1String(kThreshold), 0.9).toDouble());
+    threshold_->setAccessibleName(tr("Least probability of what is accepted"));
+    connect(threshold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        QSettings().setValue(QLatin1String(kThreshold), value);
+        refresh();
+    });
+    connect(accept_, &QPushButton::clicked, this, [this] { review_.acceptSure(threshold()); });
+}
+
+double ProgressBox::threshold() const {
+    return threshold_->value();
+}
+
+void ProgressBox::refresh() {
+    const LabelProgress& progress = labels_.progress();
+    bar_->update();
+    bar_->setToolTip(tr("%1 actions: %2 labelled by hand, %3 accepted")
+                         .arg(progress.actions)
+                         .arg(progress.byHand)
+                         .arg(progress.accepted));
+    QString counts = tr("%1 labelled").arg(percentText(progress.labelledShare()));
+    if (progress.expectedAccuracy) {
+        counts += tr(", expected accuracy %1").arg(percentText(*progress.expectedAccuracy));
+    }
+    counts_->setText(counts);
+    advice_->setText(adviceText());
+    const int sure = labels_.countSure(threshold());
+    const bool anyLeft = progress.actions > 0 && progress.settled < progress.actions;
+    accept_->setText(sure == 0 && anyLeft && progress.byHand > 0 ? tr("Accept rules' labels")
+                                                                 : tr("Accept %1 sure").arg(sure));
+    accept_->setEnabled(anyLeft && progress.byHand > 0);
+}
+
+QString ProgressBox::adviceText() const {
+    const LabelProgress& progress = labels_.progress();
+    if (progress.actions == 0) return tr("No recording is cut into actions yet.");
+    if (progress.settled == progress.actions) {
+        return tr("Every action is labelled. File > Export writes the labels.");
+    }
+    const int few = labels_.querySettings().batch;
+    if (progress.byHand == 0) {
+        return tr(
+            "Label a few actions by hand; the machine proposes the others. N leads to the "
+            "one that says most.");
+    }
+    if (progress.byHand < few) return tr("Go on: N leads to the next one that says most.");
+    if (labels_.queue().empty()) return tr("What rules say is left to be accepted.");
+    if (progress.mayStop) {
+        return tr(
+            "More labels by hand will hardly help. Look through the least sure, then accept "
+            "the sure rest.");
+    }
+    return tr("The next ones are those of which the machine is least sure.");
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace kumite::studio {
+
+class LabelReview;
+class LabelSession;
+
+/// How far labelling has come: a bar with what hands said and what was accepted, "12 % labelled,
+/// expected accuracy 93 %", in words what to do next, and the step that accepts the sure rest.
+class ProgressBox : public QWidget {
+    Q_OBJECT
+
+public:
+    ProgressBox(LabelReview& review, QWidget* parent);
+
+    void refresh();
+    /// From which confidence on the rest is accepted.
+    double threshold() const;
+
+private:
+    QString adviceText() const;
+
+    LabelReview& review_;
+    LabelSession& labels_;
+    QWidget* bar_;
+    QLabel* counts_;
+    QLabel* advice_;
+    QDoubleSpinBox* threshold_;
+    QPushButton* accept_;
+};
+
+}  // namespace kumite::studio

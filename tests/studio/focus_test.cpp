@@ -1,0 +1,133 @@
+// Keys wherever the focus is, and what the line at the bottom says.
+
+#include <QApplication>
+#include <QDoubleSpinBox>
+#include <QStatusBar>
+#include <QTest>
+
+#include <fmt/format.h>
+
+#include "core/project/report.h"
+#include "studio/app/status_line.h"
+#include "studio/timeline/timeline_view.h"
+#include "studio/workspaces/segment/segment_panel.h"
+#include "tests/studio/synthetic_bout.h"
+
+namespace kumite::studio {
+namespace {
+
+TEST_F(WindowTest, ArrowAndLetterKeysWorkWhereverTheFocusIs) {
+    openBout();
+    int tried = 0;
+    for (auto* widget : window_->findChildren<QWidget*>()) {
+        const bool takesKeys = widget->isVisible() && widget->window() == window_.get() &&
+                               widget->focusPolicy() != Qt::NoFocus;
+        if (!takesKeys || widget->inherits("QAbstractSpinBox") || widget->inherits("QLineEdit"))
+            continue;
+        SCOPED_TRACE(std::string(widget->metaObject()->className()) + " " +
+                     widget->accessibleName().toStdString());
+        ++tried;
+        session().transport().setPlayhead(0);
+        session().select(std::nullopt);
+        const auto steps = session().document().history().steps().size();
+        widget->setFocus();
+        QTest::keyClick(widget, Qt::Key_Right);
+        EXPECT_EQ(session().shownFrame(0), 1);
+        widget->setFocus();
+        QTest::keyClick(widget, Qt::Key_Left);
+        EXPECT_EQ(session().shownFrame(0), 0);
+        EXPECT_EQ(session().document().history().steps().size(), steps) << "and nothing else";
+        widget->setFocus();
+        QTest::keyClick(widget, Qt::Key_N);
+        EXPECT_TRUE(session().selection());
+    }
+    EXPECT_GT(tried, 12);
+}
+
+TEST_F(WindowTest, ALetterInAFieldOfANumberIsACommandAndTheNumberIsKept) {
+    openBout();
+    int tried = 0;
+    for (auto* field : window_->findChildren<QAbstractSpinBox*>()) {
+        if (!field->isVisible() || field->window() != window_.get()) continue;
+        SCOPED_TRACE(field->accessibleName().toStdString());
+        ++tried;
+        session().select(std::nullopt);
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_N);
+        ASSERT_TRUE(session().selection()) << "the next suspect";
+        // The keys that follow belong to the command, too.
+        EXPECT_TRUE(timeline().hasFocus());
+        const auto steps = session().document().history().steps().size();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        EXPECT_EQ(session().document().history().steps().size(), steps + 1) << "kept";
+        session().document().undo();
+    }
+    EXPECT_GE(tried, 2);
+    auto* cutoff = window_->findChild<SegmentPanel*>()->findChild<QDoubleSpinBox*>();
+    cutoff->setFocus();
+    cutoff->selectAll();
+    QTest::keyClicks(cutoff, "4");
+    QTest::keyClick(cutoff, Qt::Key_N);
+    settle();
+    EXPECT_DOUBLE_EQ(session().document().project().segmentation.cutoff, 4.0);
+    EXPECT_TRUE(session().selection());
+}
+
+/// What the line at the bottom says.
+QString statusOf(MainWindow& window) {
+    return window.statusBar()->findChild<StatusLine*>()->text();
+}
+
+TEST_F(WindowTest, StatusLineSaysWhatHoldsNow) {
+    EXPECT_TRUE(statusOf(*window_).isEmpty());
+    openBout();
+    EXPECT_TRUE(statusOf(*window_).contains("Space play"));
+    EXPECT_FALSE(statusOf(*window_).contains("keep")) << "nothing is selected to be kept";
+    session().transport().setPlaying(true);
+    EXPECT_TRUE(statusOf(*window_).contains("Space pause"));
+    session().transport().setPlaying(false);
+    EXPECT_TRUE(statusOf(*window_).contains("Space play"));
+    press(Qt::Key_N);
+    EXPECT_TRUE(statusOf(*window_).contains("Backspace remove"));
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(statusOf(*window_).contains("Backspace"));
+    press(Qt::Key_M);
+    EXPECT_TRUE(statusOf(*window_).contains("leave measuring"));
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(statusOf(*window_).contains("measuring"));
+
+    // What was said is over with the next act.
+    press(Qt::Key_Return);
+    EXPECT_TRUE(statusOf(*window_).startsWith("Nothing is selected"));
+    press(Qt::Key_Right);
+    EXPECT_TRUE(statusOf(*window_).contains("Space play"));
+
+    // A resting pointer: what is under it changes.
+    const BoundaryRef boundary = someBoundary(0);
+    session().setVisible({session().timeOf(boundary) - 1, session().timeOf(boundary) + 1});
+    QTest::mouseMove(&timeline(), timeline().pointOf(boundary).toPoint());
+    EXPECT_FALSE(statusOf(*window_).contains("removed boundary"));
+    session().toggleBoundary(boundary);
+    EXPECT_TRUE(statusOf(*window_).contains("removed boundary"));
+    press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_FALSE(statusOf(*window_).contains("removed boundary"));
+    session().setVisible({0, 1});
+    EXPECT_TRUE(statusOf(*window_).contains("frame 30")) << statusOf(*window_).toStdString();
+}
+
+TEST_F(WindowTest, AnActionHasOneNumberOnTheScreenAndInTheTable) {
+    openBout();
+    const auto& actions = session().fighter(1)->segmentation->actions;
+    const std::size_t third = 3;
+    const auto begin = actions[third].begin;
+    session().setVisible({session().timeOf({1, begin}) - 0.2, session().timeOf({1, begin}) + 1.5});
+    const QRectF block = timeline().blockOf({1, actions[third].peak});
+    QTest::mouseMove(&timeline(), block.center().toPoint());
+    EXPECT_TRUE(statusOf(*window_).contains("action 3")) << statusOf(*window_).toStdString();
+    const std::string table =
+        actionsCsv(session().document().project(), session().document().analysis(), 0);
+    EXPECT_NE(table.find(fmt::format(",2,3,{},", begin)), std::string::npos) << table;
+}
+
+}  // namespace
+}  // namespace kumite::studio
