@@ -1,5 +1,6 @@
 #include "core/interaction/cross_validation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -13,6 +14,10 @@ constexpr std::array kEstimators = {LabelEstimator::Equ5, LabelEstimator::Equ6,
 constexpr std::array kKinds = {CovarianceKind::Full, CovarianceKind::FullRaw,
                                CovarianceKind::Diagonal, CovarianceKind::SemiTied};
 constexpr std::array kTaus = {0.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0};
+
+/// Nats per sample that a sweep must gain: a hundred trainings need not be as fine as the one that
+/// is used, and the figures are told to a hundredth.
+constexpr double kTolerance = 1e-3;
 
 /// Averages of one mover and one seed.
 struct Scores {
@@ -136,6 +141,7 @@ std::optional<Round> playRound(const Holdout& holdout, const PoseSpace& space,
         round.labelTerm[i] = holdout.labelTerm(kEstimators[i]);
     const Progress quiet{{}, progress.stop};
     GeometrySettings geometry = settings.geometry;
+    geometry.semiTied.tolerance = std::max(geometry.semiTied.tolerance, kTolerance);
     const Eigen::MatrixXd rows = holdout.rows(space, settings.components);
     for (std::size_t i = 0; i < kKinds.size(); ++i) {
         geometry.kind = kKinds[i];

@@ -14,35 +14,71 @@ namespace {
 /// Variances do not become 0 by rounding where classes without shrinkage are singular.
 constexpr double kTiny = 1e-12;
 
-/// The covariances as columns of one matrix, so that a weighted sum of them and aᵀW a of all are
-/// one product each.
+/// The covariances as columns of one matrix (their lower triangles), so that a weighted sum of them
+/// and aᵀW a of all are one product each.
 class CovarianceStack {
 public:
     explicit CovarianceStack(std::span<const ClassMoments> classes)
         : size_(classes.front().covariance.rows()),
-          columns_(size_ * size_, static_cast<Eigen::Index>(classes.size())) {
-        for (std::size_t m = 0; m < classes.size(); ++m)
-            columns_.col(static_cast<Eigen::Index>(m)) = classes[m].covariance.reshaped();
+          columns_(size_ * (size_ + 1) / 2, static_cast<Eigen::Index>(classes.size())) {
+        for (std::size_t m = 0; m < classes.size(); ++m) {
+            Eigen::Index first = 0;
+            for (Eigen::Index j = 0; j < size_; first += size_ - j, ++j) {
+                columns_.col(static_cast<Eigen::Index>(m)).segment(first, size_ - j) =
+                    classes[m].covariance.col(j).tail(size_ - j);
+            }
+        }
     }
-    Eigen::MatrixXd weightedSum(const Eigen::VectorXd& weights) const {
-        const Eigen::VectorXd sum = columns_ * weights;
-        return sum.reshaped(size_, size_);
+    /// The lower triangle of the sum; above it nothing is said.
+    void weightedSum(const Eigen::VectorXd& weights, Eigen::MatrixXd& sum) {
+        packed_.noalias() = columns_ * weights;
+        Eigen::Index first = 0;
+        for (Eigen::Index j = 0; j < size_; first += size_ - j, ++j)
+            sum.col(j).tail(size_ - j) = packed_.segment(first, size_ - j);
     }
     /// a W_m aᵀ for every class.
-    Eigen::VectorXd along(const Eigen::VectorXd& a) const {
-        const Eigen::MatrixXd outer = a * a.transpose();
-        return columns_.transpose() * outer.reshaped();
+    Eigen::VectorXd along(const Eigen::VectorXd& a) {
+        packed_.resize(columns_.rows());
+        Eigen::Index first = 0;
+        for (Eigen::Index j = 0; j < size_; first += size_ - j, ++j) {
+            packed_.segment(first, size_ - j) = 2 * a[j] * a.tail(size_ - j);
+            packed_[first] = a[j] * a[j];
+        }
+        return columns_.transpose() * packed_;
     }
 
 private:
     Eigen::Index size_;
     Eigen::MatrixXd columns_;
+    Eigen::VectorXd packed_;
+};
+
+/// Classes with the same covariance are one to the sweeps. After shrinking, all that have a single
+/// sample do.
+struct DistinctClasses {
+    std::vector<ClassMoments> classes;
+    std::vector<std::size_t> of;  ///< for each class given, its place in `classes`
+
+    explicit DistinctClasses(std::span<const ClassMoments> given) {
+        for (const ClassMoments& each : given) {
+            const auto same = std::find_if(classes.begin(), classes.end(), [&](const auto& other) {
+                return other.covariance == each.covariance;
+            });
+            of.push_back(static_cast<std::size_t>(same - classes.begin()));
+            if (same == classes.end()) {
+                classes.push_back(each);
+            } else {
+                same->count += each.count;
+            }
+        }
+    }
 };
 
 /// Row i of A for which the likelihood is highest while all else stays (Gales 1999).
 Eigen::VectorXd bestRow(const Eigen::MatrixXd& scatter, const Eigen::VectorXd& cofactors,
                         double samples) {
-    const Eigen::VectorXd direction = scatter.llt().solve(cofactors);
+    const Eigen::VectorXd direction =
+        scatter.selfadjointView<Eigen::Lower>().llt().solve(cofactors);
     return direction * std::sqrt(samples / cofactors.dot(direction));
 }
 
@@ -96,12 +132,14 @@ void shrinkToward(const Eigen::MatrixXd& pooled, double tau, std::span<ClassMome
     }
 }
 
-SemiTied trainSemiTied(std::span<const ClassMoments> classes, const SemiTiedSettings& settings,
+SemiTied trainSemiTied(std::span<const ClassMoments> given, const SemiTiedSettings& settings,
                        const Progress& progress) {
-    assert(!classes.empty());
+    assert(!given.empty());
+    const DistinctClasses distinct(given);
+    const std::vector<ClassMoments>& classes = distinct.classes;
     const Eigen::Index size = classes.front().covariance.rows();
     const auto count = static_cast<Eigen::Index>(classes.size());
-    const CovarianceStack covariances(classes);
+    CovarianceStack covariances(classes);
     Eigen::VectorXd counts(count);
     for (Eigen::Index m = 0; m < count; ++m)
         counts[m] = classes[static_cast<std::size_t>(m)].count;
@@ -123,10 +161,11 @@ SemiTied trainSemiTied(std::span<const ClassMoments> classes, const SemiTiedSett
     for (int sweep = 0; sweep < settings.maxSweeps && samples > 0; ++sweep) {
         progress.update(static_cast<double>(sweep) / settings.maxSweeps);
         Eigen::MatrixXd inverse = a.inverse();
+        Eigen::MatrixXd scatter(size, size);
         for (Eigen::Index i = 0; i < size; ++i) {
             const Eigen::VectorXd weights = counts.cwiseQuotient(variances.row(i).transpose());
-            const Eigen::VectorXd row =
-                bestRow(covariances.weightedSum(weights), inverse.col(i), samples);
+            covariances.weightedSum(weights, scatter);
+            const Eigen::VectorXd row = bestRow(scatter, inverse.col(i), samples);
             // Sherman–Morrison: the inverse after row i has changed.
             const Eigen::RowVectorXd change = (row.transpose() - a.row(i)) * inverse;
             const Eigen::VectorXd column = inverse.col(i);
@@ -138,8 +177,8 @@ SemiTied trainSemiTied(std::span<const ClassMoments> classes, const SemiTiedSett
         if (result.logLikelihood[last] - result.logLikelihood[last - 1] < settings.tolerance) break;
     }
     result.transform = a;
-    for (Eigen::Index m = 0; m < count; ++m)
-        result.variances.push_back(variances.col(m));
+    for (const std::size_t m : distinct.of)
+        result.variances.push_back(variances.col(static_cast<Eigen::Index>(m)));
     return result;
 }
 

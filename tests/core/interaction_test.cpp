@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/project/edits.h"
 #include "tests/support/builders.h"
 
 namespace kumite {
@@ -183,6 +184,109 @@ TEST(Interaction, FollowsTheProject) {
     const Interaction again = deriveInteraction(project, analysis, {}, interaction);
     EXPECT_EQ(again.graph, interaction.graph);
     EXPECT_EQ(again.models, interaction.models);
+}
+
+/// A labelled bout whose fighters stand 2 m apart, face to face.
+Project facingBout() {
+    Project project = labelledBout();
+    project.takes[0].fighters[1].placement = {0.1, 2, 3.0};
+    return project;
+}
+
+TEST(Interaction, SwappingTheFilesSwapsTheModels) {
+    const Project project = facingBout();
+    Project swapped = project;
+    std::swap(swapped.takes[0].fighters[0], swapped.takes[0].fighters[1]);
+    const Interaction a = deriveInteraction(project, analyse(project));
+    const Interaction b = deriveInteraction(swapped, analyse(swapped));
+    for (const std::size_t p : {0, 1}) {
+        EXPECT_EQ(a.graph->nodes[p], b.graph->nodes[1 - p]);
+        EXPECT_EQ(a.graph->transitions[p], b.graph->transitions[1 - p]);
+        const TransitionModel& one = *a.models[p];
+        const TransitionModel& other = *b.models[1 - p];
+        EXPECT_NEAR((one.numbers - other.numbers).norm(), 0, 1e-6);
+        const auto surprise = surprises(one), same = surprises(other);
+        ASSERT_EQ(surprise.size(), same.size());
+        for (std::size_t i = 0; i < same.size(); ++i)
+            EXPECT_NEAR(surprise[i].label, same[i].label, 1e-9);
+    }
+}
+
+TEST(Interaction, DoesNotChangeWhenBothAreMovedAndTurnedTogether) {
+    const Project project = facingBout();
+    Project turned = project;
+    for (Fighter& fighter : turned.takes[0].fighters) {
+        const double c = std::cos(2.4), s = std::sin(2.4);
+        const Placement was = fighter.placement;
+        fighter.placement = {c * was.x + s * was.z + 3.5, c * was.z - s * was.x - 1.25,
+                             was.yaw + 2.4};
+    }
+    const Interaction a = deriveInteraction(project, analyse(project));
+    const Interaction b = deriveInteraction(turned, analyse(turned));
+    for (const std::size_t p : {0, 1}) {
+        EXPECT_NEAR((a.models[p]->numbers - b.models[p]->numbers).norm(), 0, 1e-8);
+        EXPECT_GT(a.models[p]->numbers.norm(), 1);
+    }
+}
+
+TEST(Interaction, AfterAnEditOnlyWhatChangedIsNew) {
+    const Project project = facingBout();
+    const Analysis analysis = analyse(project);
+    const Interaction before = deriveInteraction(project, analysis);
+    const auto same = [](const Interaction& x, const Interaction& y) {
+        for (const std::size_t p : {0, 1}) {
+            EXPECT_EQ(x.graph->transitions[p], y.graph->transitions[p]);
+            EXPECT_EQ(x.models[p]->numbers, y.models[p]->numbers);
+            EXPECT_EQ(x.models[p]->nextTurned, y.models[p]->nextTurned);
+        }
+    };
+    const Project relabelled = setWholeLabel(project, analysis, {0, 0}, std::vector{3},
+                                             parseLabel(kickboxing(), "jump:up+move:L-F"))
+                                   ->project;
+    const Interaction label = deriveInteraction(relabelled, analysis, {}, before);
+    EXPECT_EQ(label.poses, before.poses);
+    EXPECT_NE(label.graph, before.graph);
+    same(label, deriveInteraction(relabelled, analysis));
+
+    const int frame = analysis.at({0, 1}).segmentation->boundaries[4].frame;
+    const Project cut = removeBoundary(project, analysis, {0, 1}, frame)->project;
+    const Analysis after = analyse(cut, analysis);
+    const Interaction boundary = deriveInteraction(cut, after, {}, before);
+    EXPECT_EQ(boundary.poses, before.poses);
+    same(boundary, deriveInteraction(cut, after));
+
+    Project moved = project;
+    moved.takes[0].fighters[1].placement.x += 0.5;
+    const Interaction elsewhere = deriveInteraction(moved, analyse(moved, analysis), {}, before);
+    EXPECT_EQ(elsewhere.graph, before.graph);
+    EXPECT_NE(elsewhere.models, before.models) << "where they stand is part of the numbers";
+}
+
+TEST(Interaction, MomentsFollowTheRuleOfWhatIsInProgress) {
+    const Project project = facingBout();
+    const Analysis analysis = analyse(project);
+    const Interaction interaction = deriveInteraction(project, analysis);
+    for (const int mover : {0, 1}) {
+        const auto& transitions = interaction.graph->transitionsOf(mover);
+        const TransitionModel& model = *interaction.models[static_cast<std::size_t>(mover)];
+        for (std::size_t i = 0; i < transitions.size(); ++i) {
+            const int frame = placeOf(*interaction.graph, mover, transitions[i]).frame;
+            const Moment moment = momentAt(analysis, interaction, 0, frame, mover);
+            EXPECT_EQ(moment.transition, static_cast<int>(i));
+            EXPECT_EQ(moment.ownAction, transitions[i].own);
+            EXPECT_EQ(moment.opponentAction, transitions[i].opponent);
+            ASSERT_EQ(moment.numbers.size(), 24);
+            const auto row = model.numbers.row(static_cast<Eigen::Index>(i));
+            EXPECT_NEAR((moment.numbers - row.head(24).transpose()).norm(), 0, 1e-9);
+            double sum = 0;
+            for (const NextLabel& next : nextLabels(interaction, mover, moment))
+                sum += next.product;
+            EXPECT_NEAR(sum, 1, 1e-9);
+        }
+        const Moment begin = momentAt(analysis, interaction, 0, 0, mover);
+        EXPECT_GE(begin.ownAction, 0);
+        EXPECT_EQ(begin.transition, std::nullopt);
+    }
 }
 
 TEST(Interaction, SaysWhatIsMissing) {
