@@ -17,6 +17,7 @@ constexpr int kSegments = 14;
 constexpr int kCorners = 28;
 constexpr double kThinnest = 0.15;  ///< of an edge's width is left where it ends
 constexpr double kRim = 0.012;
+constexpr double kGroundRadius = 1.08;  ///< of the circle behind a fighter's graph
 
 using Path = std::vector<Eigen::Vector3d>;
 
@@ -188,7 +189,7 @@ ColouredMesh graphMesh(const GraphScene& scene, const CameraController& camera,
     ColouredMesh mesh;
     MeshMaker maker(mesh, camera);
     for (const GraphScene::Ground& ground : scene.grounds)
-        maker.ring(ground.centre, 1.12, 0.006, faded(ground.colour, 0.35, colours), false);
+        maker.ring(ground.centre, kGroundRadius, 0.006, faded(ground.colour, 0.35, colours), false);
     const Eigen::Vector3d forward = camera.forward();
     const double apart = 0.01 / std::max<std::size_t>(1, scene.edges.size());
     for (const GraphScene::Edge& edge : scene.edges) {
@@ -247,19 +248,22 @@ std::optional<GraphPick> pickGraph(const GraphScene& scene, const CameraControll
 std::vector<GraphName> placeNames(const GraphScene& scene, const CameraController& camera,
                                   const Viewport& viewport, const QFontMetrics& metrics,
                                   std::optional<int> always) {
+    // What is chosen or pointed at has its name even where that covers something.
+    const auto isWanted = [&](int node) { return node == always || nodeAt(scene, node).ringed; };
     std::vector<int> order;
     for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
         const int index = static_cast<int>(i);
-        if (scene.nodes[i].rank >= 0 || index == always) order.push_back(index);
+        if (scene.nodes[i].rank >= 0 || isWanted(index)) order.push_back(index);
     }
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-        if ((a == always) != (b == always)) return a == always;
+        if (isWanted(a) != isWanted(b)) return isWanted(a);
         return nodeAt(scene, a).rank > nodeAt(scene, b).rank;
     });
     const QRectF view(2, 2, viewport.width - 4, viewport.height - 4);
     std::vector<QRectF> taken;
-    // Names do not cover the larger nodes either.
+    // Names do not cover the larger nodes either, but for those that stand back.
     for (const GraphScene::Node& node : scene.nodes) {
+        if (node.presence < 0.5) continue;
         const Eigen::Vector3d place = camera.project(node.place, viewport);
         const double radius = 0.6 * node.radius * pixelsPer(place, viewport);
         taken.emplace_back(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius);
@@ -287,9 +291,10 @@ std::vector<GraphName> placeNames(const GraphScene& scene, const CameraControlle
             room = box;
             break;
         }
-        if (!room && index == always) {
+        if (!room && isWanted(index)) {
             QRectF box(corners[0], size);
-            if (box.right() > view.right()) box.moveRight(at.x() - reach);
+            if (box.right() > view.right()) box.moveRight(view.right());
+            if (box.left() < view.left()) box.moveLeft(view.left());
             room = box;
         }
         if (!room) continue;
@@ -303,7 +308,7 @@ void paintNames(QPainter& painter, const GraphScene& scene, const CameraControll
                 const Viewport& viewport, const Colours& colours, std::optional<int> always) {
     for (const GraphScene::Ground& ground : scene.grounds) {
         const Eigen::Vector3d top =
-            camera.project(ground.centre + Eigen::Vector3d(0, 1.12, 0), viewport);
+            camera.project(ground.centre + Eigen::Vector3d(0, kGroundRadius, 0), viewport);
         if (top.z() <= 0) continue;
         painter.setPen(ground.colour);
         painter.drawText(QRectF(top.x() - 100, std::max(2.0, top.y() - 20), 200, 18),
@@ -333,7 +338,7 @@ void paintGraph(QPainter& painter, const GraphScene& scene, const CameraControll
         for (int i = 0; i < 3 * kCorners; ++i) {
             const double angle = 2 * std::numbers::pi * i / (3 * kCorners);
             circle << screen(ground.centre +
-                             1.12 * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
+                             kGroundRadius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0));
         }
         painter.setBrush(Qt::NoBrush);
         painter.setPen(QPen(faded(ground.colour, 0.35, colours), 1));
@@ -374,8 +379,8 @@ void paintGraph(QPainter& painter, const GraphScene& scene, const CameraControll
 Box extentOf(const GraphScene& scene) {
     Box box;
     for (const GraphScene::Ground& ground : scene.grounds) {
-        box.add(ground.centre - Eigen::Vector3d(1.14, 1.14, 0));
-        box.add(ground.centre + Eigen::Vector3d(1.14, 1.26, 0));
+        box.add(ground.centre - Eigen::Vector3d(1.1, 1.1, 0));
+        box.add(ground.centre + Eigen::Vector3d(1.1, 1.22, 0));
     }
     for (const GraphScene::Node& node : scene.nodes)
         box.add(node.place);

@@ -63,7 +63,7 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                   {QKeySequence("Shift+G")},
                   [page] {
                       const bool space = page->nodes().options().inSpace;
-                      if (!page->showsMatrix()) page->nodes().setInSpace(!space);
+                      page->nodes().setInSpace(page->showsMatrix() || !space);
                       page->showMatrix(false);
                   },
                   any,

@@ -12,8 +12,8 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr double kApart = 1.3;  ///< from the middle to each graph's, side by side
-constexpr double kDeep = 0.85;  ///< the same, one behind the other
+constexpr double kApart = 1.18;  ///< from the middle to each graph's, side by side
+constexpr double kDeep = 0.85;   ///< the same, one behind the other
 constexpr double kFaded = 0.16;
 constexpr double kLeastRadius = 0.018;
 constexpr double kMostRadius = 0.07;
@@ -109,11 +109,7 @@ private:
             const int to = nodeOf(mover, next);
             if (!few && !(always || isSelected(meaning) || leadsToSelected(mover, next))) continue;
             const double p = probabilities[static_cast<std::size_t>(next)];
-            // The width tells even small ones apart, the colour the large ones.
-            candidates_.push_back({{from, to, 0.006 + 0.042 * std::sqrt(p), colour,
-                                    std::clamp(0.28 + 1.1 * p, 0.0, 1.0)},
-                                   meaning,
-                                   p});
+            candidates_.push_back({{from, to, 0, colour, 0}, meaning, p});
         }
     }
 
@@ -161,6 +157,16 @@ private:
     }
 
     void addEdges() {
+        // The likeliest edge is the widest and strongest; labels are many, so that even that one is
+        // far from certain.
+        double most = 1e-9;
+        for (const Candidate& candidate : candidates_)
+            most = std::max(most, candidate.probability);
+        for (Candidate& candidate : candidates_) {
+            const double share = candidate.probability / most;
+            candidate.edge.width = 0.01 + 0.03 * share;
+            candidate.edge.presence = 0.35 + 0.65 * share;
+        }
         std::stable_sort(candidates_.begin(), candidates_.end(),
                          [](const Candidate& a, const Candidate& b) {
                              return a.edge.presence < b.edge.presence;

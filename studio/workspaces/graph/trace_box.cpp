@@ -141,8 +141,7 @@ QString TraceBox::selectionText() const {
     if (filter.own != kAnyNode) text += graph_.nameOf(mover, filter.own) + QStringLiteral(" ");
     text += QStringLiteral("→ ") + graph_.nameOf(mover, filter.next);
     if (filter.opponent != kAnyNode) {
-        text += tr(" while %1: %2")
-                    .arg(fighterText(1 - mover), graph_.nameOf(1 - mover, filter.opponent));
+        text += QStringLiteral(" | ") + graph_.nameOf(1 - mover, filter.opponent);
     }
     const std::vector<int>& behind = graph_.selected();
     const auto fits = [&](int index) {
