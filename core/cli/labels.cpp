@@ -101,7 +101,7 @@ Json agreementJson(const OpenProject& open, const Agreement& agreement) {
         };
         const auto& actions = open.analysis.at(each.fighter).segmentation->actions;
         const double rate = fighterAt(open.project, each.fighter).rate;
-        const Action& action = actions[static_cast<std::size_t>(each.action)];
+        const kumite::Action& action = actions[static_cast<std::size_t>(each.action)];
         differences.push_back(
             {{"take", open.project.takes[static_cast<std::size_t>(each.fighter.take)].name},
              {"player", each.fighter.player + 1},

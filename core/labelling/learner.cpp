@@ -15,11 +15,13 @@
 namespace kumite {
 namespace {
 
-/// The grid, the usual values first: the score of few examples is noisy, so that others must be
-/// clearly better.
+/// The grid, the usual values first.
 constexpr std::array<double, 4> kSearchC = {16.0, 4.0, 64.0, 256.0};
 constexpr std::array<double, 5> kSearchGamma = {0.5, 0.25, 0.125, 1.0, 0.0625};  // per dimension
-constexpr double kClearlyBetter = 0.02;
+/// How many standard deviations other values must be better than the usual ones. Many are tried,
+/// and the examples of a session are its hard actions: with less, every search of a session moved
+/// the values and made the rest worse for a while.
+constexpr double kClearlyBetter = 3.0;
 constexpr std::size_t kSearchExamples = 300;
 
 std::vector<int> rowsOf(const std::vector<Example>& examples) {
@@ -51,18 +53,16 @@ std::vector<bool> stratifiedPart(std::span<const int> classes, std::size_t most,
     return in;
 }
 
-/// The highest score, if it is better than that at `usual` by more than `margin`; else `usual`.
-std::size_t clearlyBest(const std::vector<double>& scores, std::size_t usual, double margin) {
-    const auto best = std::max_element(scores.begin(), scores.end());
-    return *best > scores[usual] + margin ? static_cast<std::size_t>(best - scores.begin()) : usual;
-}
+/// What a cross-validation answered: true class and answer.
+using Answers = std::vector<std::pair<int, int>>;
 
 /// Mean of accuracy and of the mean recall of the classes: a machine that calls everything
 /// "others" must not win only because most actions are.
-double score(const std::vector<std::pair<int, int>>& truthAndAnswer) {
+double score(const Answers& answers) {
+    if (answers.empty()) return 0;
     std::map<int, std::pair<int, int>> classes;  // right, all
     int right = 0;
-    for (const auto& [truth, answer] : truthAndAnswer) {
+    for (const auto& [truth, answer] : answers) {
         classes[truth].first += truth == answer;
         ++classes[truth].second;
         right += truth == answer;
@@ -70,8 +70,31 @@ double score(const std::vector<std::pair<int, int>>& truthAndAnswer) {
     double recall = 0;
     for (const auto& [name, count] : classes)
         recall += static_cast<double>(count.first) / count.second;
-    return 0.5 * right / static_cast<double>(truthAndAnswer.size()) +
+    return 0.5 * right / static_cast<double>(answers.size()) +
            0.5 * recall / static_cast<double>(classes.size());
+}
+
+/// Whether others are right where the usual values are wrong far more often than the reverse (a
+/// sign test). `copies`: answers per independent one, where mirror images answer as well.
+bool clearlyBetter(const Answers& others, const Answers& usual, double copies) {
+    double better = 0, worse = 0;
+    for (std::size_t i = 0; i < usual.size(); ++i) {
+        const bool rightThere = others[i].first == others[i].second;
+        const bool rightUsually = usual[i].first == usual[i].second;
+        better += rightThere && !rightUsually;
+        worse += rightUsually && !rightThere;
+    }
+    return (better - worse) / copies > kClearlyBetter * std::sqrt((better + worse) / copies);
+}
+
+/// The point of the grid with the highest score, if it is clearly better than `usual`; else that.
+std::size_t bestPoint(const std::vector<Answers>& grid, std::size_t usual, double copies) {
+    std::vector<double> scores;
+    for (const Answers& answers : grid)
+        scores.push_back(score(answers));
+    const auto highest =
+        static_cast<std::size_t>(std::max_element(scores.begin(), scores.end()) - scores.begin());
+    return clearlyBetter(grid[highest], grid[usual], copies) ? highest : usual;
 }
 
 }  // namespace
@@ -101,6 +124,29 @@ struct TrainingSet::Data {
             rows.classes.push_back(*name);
         }
         return rows;
+    }
+
+    /// What machines that had not seen an example and its mirror image say about both.
+    Answers crossValidate(const LearningTask& task, const std::vector<bool>& in,
+                          const std::vector<int>& folds, const MsvmKernel& kernel, double c) const {
+        Answers answers;
+        for (int fold = 0; fold < settings.folds; ++fold) {
+            std::vector<bool> training = in;
+            for (std::size_t i = 0; i < training.size(); ++i)
+                training[i] = training[i] && folds[i] != fold;
+            const TaskRows rows = rowsFor(task, training);
+            if (rows.classCount() < 2) continue;
+            const Msvm machine(kernel, rows.indices, rows.classes, c);
+            for (std::size_t i = 0; i < rowCount(); ++i) {
+                const std::size_t example = i % examples.size();
+                if (!in[example] || folds[example] != fold) continue;
+                const auto truth = task.classOf(labels[i]);
+                if (!truth) continue;
+                answers.emplace_back(*truth,
+                                     machine.predictRow(kernel, static_cast<int>(i)).choice);
+            }
+        }
+        return answers;
     }
 
     static const MsvmParameters& parametersOf(const LearningTask& task,
@@ -145,10 +191,9 @@ ParameterSet TrainingSet::searchParameters(const Progress& progress) const {
     if (data.examples.empty()) return best;
     struct Search {
         const LearningTask* task;
-        std::vector<bool> in;             ///< examples that take part
-        std::vector<int> folds;           ///< of every example
-        std::vector<double> scores = {};  ///< of every point of the grid
-        int judged = 0;                   ///< answers behind a score
+        std::vector<bool> in;               ///< examples that take part
+        std::vector<int> folds;             ///< of every example
+        std::vector<Answers> answers = {};  ///< of every point of the grid
     };
     std::vector<MsvmParameters> grid;
     std::vector<Search> searches;
@@ -166,28 +211,9 @@ ParameterSet TrainingSet::searchParameters(const Progress& progress) const {
         const MsvmKernel kernel(data.among, gammaPerDimension / kFeatureCount);
         for (Search& search : searches) {
             progress.update(done++ / all);
-            for (const double c : kSearchC) {
-                std::vector<std::pair<int, int>> answers;
-                for (int fold = 0; fold < data.settings.folds; ++fold) {
-                    std::vector<bool> training = search.in;
-                    for (std::size_t i = 0; i < training.size(); ++i)
-                        training[i] = training[i] && search.folds[i] != fold;
-                    const TaskRows rows = data.rowsFor(*search.task, training);
-                    if (rows.classCount() < 2) continue;
-                    const Msvm machine(kernel, rows.indices, rows.classes, c);
-                    // Mirror images answer as well: twice the ground to judge on.
-                    for (std::size_t i = 0; i < data.rowCount(); ++i) {
-                        const std::size_t example = i % data.examples.size();
-                        if (!search.in[example] || search.folds[example] != fold) continue;
-                        const auto truth = search.task->classOf(data.labels[i]);
-                        if (!truth) continue;
-                        answers.emplace_back(
-                            *truth, machine.predictRow(kernel, static_cast<int>(i)).choice);
-                    }
-                }
-                search.scores.push_back(answers.empty() ? 0 : score(answers));
-                search.judged = static_cast<int>(answers.size());
-            }
+            for (const double c : kSearchC)
+                search.answers.push_back(
+                    data.crossValidate(*search.task, search.in, search.folds, kernel, c));
         }
         for (const double c : kSearchC)
             grid.push_back({c, kernel.gamma()});
@@ -196,19 +222,19 @@ ParameterSet TrainingSet::searchParameters(const Progress& progress) const {
     if (searches.empty()) return best;
     // What is best for all aspects together rests on the most answers; an aspect goes its own way
     // only where that is better by more than chance.
-    std::vector<double> together(grid.size(), 0.0);
+    std::vector<Answers> together(grid.size());
     for (const Search& search : searches) {
-        for (std::size_t i = 0; i < grid.size(); ++i)
-            together[i] += search.scores[i] / static_cast<double>(searches.size());
+        for (std::size_t i = 0; i < grid.size(); ++i) {
+            const Answers& answers = search.answers[i];
+            together[i].insert(together[i].end(), answers.begin(), answers.end());
+        }
     }
-    const std::size_t common = clearlyBest(together, 0, kClearlyBetter);
+    const double copies = data.settings.mirrored ? 2 : 1;
+    const std::size_t common = bestPoint(together, 0, copies);
     std::fill(best.begin(), best.end(), grid[common]);
     for (const Search& search : searches) {
-        const double wrong = 1 - search.scores[common];
-        const double n = search.judged;
-        const double chance = 2 * std::sqrt((wrong * (1 - wrong) + 1 / n) / n);
         best[static_cast<std::size_t>(search.task->slot)] =
-            grid[clearlyBest(search.scores, common, chance)];
+            grid[bestPoint(search.answers, common, copies)];
     }
     return best;
 }

@@ -17,9 +17,14 @@ constexpr int kCandidatesPerPlace = 4;
 constexpr std::size_t kMostReferences = 1000;
 
 /// Before this many rounds a cross-validation says little.
-constexpr std::size_t kFewestRounds = 8;
-constexpr std::size_t kRoundsWithoutGain = 5;
-constexpr double kGain = 0.005;
+constexpr std::size_t kFewestRounds = 20;
+/// One round's cross-validation trembles by some percent; means over so many rounds do not.
+constexpr std::size_t kRoundsTogether = 10;
+constexpr double kGain = 0.01;
+
+double meanOf(std::span<const double> values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 void keepNearest(std::vector<double>& nearest, const std::vector<double>& distances) {
     for (std::size_t i = 0; i < nearest.size(); ++i)
@@ -87,6 +92,7 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
             counted_[i] = true;
         }
     }
+    if (static_cast<int>(answered.size() - open.size()) < settings_.start) predictions = nullptr;
     std::vector<int> batch;
     std::vector<double> toBatch(answered.size(), kFar);
     const auto take = [&](int row) {
@@ -146,9 +152,10 @@ std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std
 
 bool mayStop(std::span<const double> expected, double target) {
     if (expected.size() < kFewestRounds) return false;
-    if (expected.back() >= target) return true;
-    const double before = expected[expected.size() - 1 - kRoundsWithoutGain];
-    return expected.back() - before < kGain;
+    const auto last = expected.last(kRoundsTogether);
+    if (meanOf(last.last(kRoundsTogether / 2)) >= target) return true;
+    const auto before = expected.last(2 * kRoundsTogether).first(kRoundsTogether);
+    return meanOf(last) - meanOf(before) < kGain;
 }
 
 }  // namespace kumite

@@ -17,6 +17,9 @@ struct QuerySettings {
     /// are farthest from all labelled ones.
     double explore = 0.2;
     bool mirrored = true;  ///< an action is as near as its mirror image
+    /// Until so many actions are labelled, those are asked that stand for most: margins of a
+    /// machine that has seen a handful lead astray.
+    int start = 20;
 };
 
 /// Orders questions over the rows of one feature matrix. Deterministic.
@@ -48,9 +51,9 @@ double smallestMargin(const Predictions& predictions, int row);
 /// The baseline: `count` rows drawn from those not answered yet.
 std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std::uint32_t seed);
 
-/// Whether labelling more by hand will hardly help: the expected accuracy has reached `target`, or
-/// the last five rounds brought less than half a percent. Never before the eighth round.
-/// `expected`: one per round.
+/// Whether labelling more by hand will hardly help: the expected accuracy of the last five rounds
+/// has reached `target` in the mean, or the last ten rounds brought less than one percent over the
+/// ten before. Never before the twentieth round. `expected`: one per round.
 bool mayStop(std::span<const double> expected, double target = 0.97);
 
 }  // namespace kumite

@@ -2,15 +2,15 @@
 // kumite-label-figures [SECONDS [SEEDS [FIRST_SEED]]]. Bout and session have different seeds; all
 // is judged on the actions that no hand labelled.
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <map>
-#include <thread>
 
 #include <fmt/format.h>
 
+#include "core/base/parallel.h"
 #include "core/base/text.h"
 #include "core/labelling/vocabulary.h"
 #include "core/project/demo_bout.h"
@@ -38,7 +38,7 @@ constexpr Way kWays[] = {
     {"random", false, true, false, 0.10, 30},
     {"random, no mirror images", false, false, false, 0.10, 30},
     {"random, limb first", false, true, true, 0.10, 30},
-    {"random, longer", false, true, false, 0.40, 25},
+    {"random, longer", false, true, false, 0.25, 25},
 };
 constexpr std::size_t kActive = 0;
 constexpr std::size_t kRandomLonger = std::size(kWays) - 1;
@@ -212,11 +212,14 @@ int main(int argc, char** argv) {
     int actions = 0;
     for (int seed = first; seed < first + seeds; ++seed) {
         const Bout bout = makeBout(seconds, static_cast<std::uint64_t>(seed), folder);
-        for (std::size_t w = 0; w < std::size(kWays); ++w) {
-            all[w].push_back(play(bout, kWays[w], static_cast<std::uint32_t>(7000 + seed)));
+        for (std::vector<Simulation>& sessions : all)
+            sessions.emplace_back();
+        forBlocks({0, static_cast<int>(std::size(kWays))}, 1, [&](FrameRange ways) {
+            const auto w = static_cast<std::size_t>(ways.begin);
+            all[w].back() = play(bout, kWays[w], static_cast<std::uint32_t>(7000 + seed));
             std::cerr << fmt::format("bout {}: {}, {:.1f} %\n", seed, kWays[w].name,
                                      100 * all[w].back().scores.labelAccuracy);
-        }
+        });
         actions += all[kActive].back().actions;
     }
     std::filesystem::remove_all(folder);

@@ -120,6 +120,13 @@ TEST(Learner, TheSearchIsRepeatableAndCanBeCancelled) {
     EXPECT_EQ(set.searchParameters(), found);
     EXPECT_GE(made.accuracy(set.predict(found, false), 80) + 0.05,
               made.accuracy(set.predict(defaultParameters(kickboxing()), false), 80));
+    // What is found by chance among noise moves nothing.
+    MadeActions noise(120, 1.0f, 5, {"others"});
+    for (std::size_t i = 0; i < noise.truth.size(); i += 3)
+        noise.truth[i] = parseLabel(kickboxing(), i % 2 ? "left_punch:fwd" : "jump:up");
+    EXPECT_EQ(
+        TrainingSet(kickboxing(), noise.features, noise.examples(0, 100), {}).searchParameters(),
+        defaultParameters(kickboxing()));
     std::stop_source stop;
     stop.request_stop();
     EXPECT_THROW(set.searchParameters({{}, stop.get_token()}), Cancelled);
@@ -173,7 +180,7 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
     Predictions predictions{7, std::vector<Prediction>(7 * 40)};
     for (int i = 0; i < 40; ++i)
         predictions.at(i, 0) = {0, i < 20 ? 0.01 : 0.02, 0, false};
-    QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true, 0});
     const auto batch = queue.next(std::vector<bool>(40, false), &predictions);
     ASSERT_EQ(batch.size(), 10u);
     EXPECT_EQ(std::set<int>(batch.begin(), batch.end()).size(), 10u);
@@ -184,9 +191,22 @@ TEST(Queries, AskTheLeastCertainButNotTheSameTenTimes) {
     EXPECT_EQ(queue.next(std::vector<bool>(40, false), &predictions).front(), 33);
 }
 
+TEST(Queries, MarginsCountOnceEnoughIsLabelled) {
+    const MadeActions made(80);
+    Predictions predictions{7, std::vector<Prediction>(7 * 80)};
+    for (int i = 0; i < 80; ++i)
+        predictions.at(i, 0) = {0, i == 77 ? 0.01 : 3.0, 0, false};
+    QueryQueue queue(made.features, {5, 0.2, true, 20});
+    std::vector<bool> answered(80, false);
+    const auto before = queue.next(answered, &predictions);
+    EXPECT_EQ(before, queue.next(answered)) << "what stands for most, whatever the margins";
+    std::fill(answered.begin(), answered.begin() + 20, true);
+    EXPECT_EQ(queue.next(answered, &predictions).front(), 77);
+}
+
 TEST(Queries, NeverAskTwiceAndEndWhenAllIsAnswered) {
     const MadeActions made(23);
-    QueryQueue queue(made.features, {10, 0.2, true});
+    QueryQueue queue(made.features, {10, 0.2, true, 0});
     std::vector<bool> answered(23, false);
     for (const std::size_t size : {10u, 10u, 3u, 0u}) {
         const auto batch = queue.next(answered);
@@ -207,12 +227,22 @@ TEST(Queries, AtRandomBySeed) {
 
 TEST(Queries, StopWhenItIsGoodOrDoesNotGetBetter) {
     EXPECT_FALSE(mayStop({}));
-    std::vector<double> rounds = {0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.98};
-    EXPECT_TRUE(mayStop(rounds));
-    rounds.erase(rounds.begin());
-    EXPECT_FALSE(mayStop(rounds)) << "too early to tell";
-    EXPECT_FALSE(mayStop(std::vector<double>{0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.91}));
-    EXPECT_TRUE(mayStop(std::vector<double>{0.5, 0.6, 0.9, 0.9, 0.9, 0.9, 0.902, 0.903}));
+    std::vector<double> good(20, 0.98);
+    EXPECT_TRUE(mayStop(good));
+    good.pop_back();
+    EXPECT_FALSE(mayStop(good)) << "too early to tell";
+    std::vector<double> rising;
+    for (int i = 0; i < 30; ++i)
+        rising.push_back(0.4 + 0.01 * i);
+    EXPECT_FALSE(mayStop(rising));
+    // It trembles by five percent around what it has reached.
+    std::vector<double> level = rising;
+    for (int i = 0; i < 10; ++i)
+        level.push_back(i % 2 ? 0.74 : 0.64);
+    EXPECT_FALSE(mayStop(level)) << "better than ten rounds ago";
+    for (int i = 0; i < 10; ++i)
+        level.push_back(i % 2 ? 0.74 : 0.64);
+    EXPECT_TRUE(mayStop(level));
 }
 
 TEST(Scores, WorkedOutOnPaper) {
