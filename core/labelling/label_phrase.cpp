@@ -92,11 +92,6 @@ private:
             phrase.atom.words += (phrase.atom.words.empty() ? "" : " ") + words_[at];
         }
         if (at == at_) return phrase;
-        if (LabelPhrase said = qualifierOf(aspects, at); said.length > 0) {
-            said.atom.words = phrase.atom.words + " " + said.atom.words;
-            said.length += at - at_;
-            return said;
-        }
         const bool named = at < words_.size();
         if (named && (contains(kOpenWords, words_[at]) || contains(kNoneWords, words_[at]))) {
             const bool open = contains(kOpenWords, words_[at]);
@@ -105,8 +100,15 @@ private:
                     phrase.atom.values.emplace_back(a, open ? kUnknown : *vocabulary_[a].fallback);
             }
             phrase.atom.words += open ? " open" : " none";
+            // "kick none": neither the left nor the right.
+            if (!open && !phrase.atom.values.empty()) phrase.atom.kind = FilterAtom::Kind::Nothing;
             phrase.length = at + 1 - at_;
             return phrase;
+        }
+        if (LabelPhrase said = qualifierOf(aspects, at); said.length > 0) {
+            said.atom.words = phrase.atom.words + " " + said.atom.words;
+            said.length += at - at_;
+            return said;
         }
         for (const int a : aspects)
             addSaid(a, phrase.atom.values);

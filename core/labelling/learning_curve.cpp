@@ -57,23 +57,26 @@ Examples partOf(const FeatureMatrix& features, std::vector<Example> examples, st
     return {rowsAt(features, rows), std::move(examples)};
 }
 
-/// One held-out fold.
+/// One held-out fold, and the pool of the others, from which labels are given. Of what is held out
+/// the queue knows nothing.
 class Fold {
 public:
-    Fold(const Vocabulary& vocabulary, const Examples& examples, std::vector<bool> heldOut,
-         const LearningSettings& settings, const ParameterSet& parameters)
+    Fold(const Vocabulary& vocabulary, const Examples& examples, const std::vector<int>& folds,
+         int heldOut, const LearningSettings& settings, const ParameterSet& parameters)
         : vocabulary_(vocabulary),
           examples_(examples),
-          heldOut_(std::move(heldOut)),
           settings_(settings),
-          parameters_(parameters) {}
+          parameters_(parameters) {
+        for (std::size_t i = 0; i < folds.size(); ++i)
+            (folds[i] == heldOut ? heldOut_ : pool_).push_back(static_cast<int>(i));
+    }
 
     /// Right answers on what is held out after each number of labels, in the queue's order.
     std::vector<int> asked(const std::vector<int>& points) const {
         QuerySettings query;
         query.mirrored = settings_.mirrored;
         query.batch = points.front();
-        QueryQueue queue(examples_.features, query);
+        QueryQueue queue(rowsAt(examples_.features, pool_), query);
         return grow(points, [&](const std::vector<bool>& answered, int, const Predictions* said) {
             return queue.next(answered, said);
         });
@@ -85,9 +88,10 @@ public:
     }
 
 private:
+    /// `choose` speaks of places in the pool.
     template <typename Choose>
     std::vector<int> grow(const std::vector<int>& points, const Choose& choose) const {
-        std::vector<bool> answered = heldOut_;
+        std::vector<bool> answered(pool_.size(), false);
         std::vector<Example> given;
         std::optional<Predictions> said;
         std::vector<int> right;
@@ -95,32 +99,44 @@ private:
             const int open = point - static_cast<int>(given.size());
             std::vector<int> batch = choose(answered, open, said ? &*said : nullptr);
             batch.resize(std::min(batch.size(), static_cast<std::size_t>(open)));
-            for (const int row : batch) {
-                answered[static_cast<std::size_t>(row)] = true;
+            for (const int place : batch) {
+                answered[static_cast<std::size_t>(place)] = true;
+                const int row = pool_[static_cast<std::size_t>(place)];
                 given.push_back(examples_.list[static_cast<std::size_t>(row)]);
             }
-            said = TrainingSet(vocabulary_, examples_.features, given, settings_)
-                       .predict(parameters_, false);
-            right.push_back(judge(*said));
+            const Predictions all = TrainingSet(vocabulary_, examples_.features, given, settings_)
+                                        .predict(parameters_, false);
+            said = ofPool(all);
+            right.push_back(judge(all));
         }
         return right;
     }
 
+    Predictions ofPool(const Predictions& all) const {
+        Predictions pool{all.aspects, {}};
+        for (const int row : pool_) {
+            for (int a = 0; a < all.aspects; ++a)
+                pool.values.push_back(all.at(row, a));
+        }
+        return pool;
+    }
+
     int judge(const Predictions& said) const {
         int right = 0;
-        for (const Example& example : examples_.list) {
-            if (!heldOut_[static_cast<std::size_t>(example.row)]) continue;
+        for (const int row : heldOut_) {
             Label answer;
             for (int a = 0; a < said.aspects; ++a)
-                answer.push_back(said.at(example.row, a).qualifier);
-            right += learntAspectsMatch(vocabulary_, example.label, answer);
+                answer.push_back(said.at(row, a).qualifier);
+            right += learntAspectsMatch(
+                vocabulary_, examples_.list[static_cast<std::size_t>(row)].label, answer);
         }
         return right;
     }
 
     const Vocabulary& vocabulary_;
     const Examples& examples_;
-    std::vector<bool> heldOut_;
+    std::vector<int> heldOut_;
+    std::vector<int> pool_;
     const LearningSettings& settings_;
     const ParameterSet& parameters_;
 };
@@ -151,10 +167,7 @@ OrderCurves orderCurves(const Vocabulary& vocabulary, const FeatureMatrix& featu
     const int runs = settings.folds * (1 + kRandomDraws);
     int run = 0;
     for (int f = 0; f < settings.folds; ++f) {
-        std::vector<bool> heldOut;
-        for (const int fold : folds)
-            heldOut.push_back(fold == f);
-        const Fold fold(vocabulary, part, heldOut, settings, parameters);
+        const Fold fold(vocabulary, part, folds, f, settings, parameters);
         progress.update(static_cast<double>(run++) / runs);
         add(fold.asked(points), &OrderPoint::asked, 1);
         for (int draw = 0; draw < kRandomDraws; ++draw) {

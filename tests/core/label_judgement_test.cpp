@@ -62,7 +62,7 @@ TEST(HandJudgement, HoldsRulesAndMachinesAgainstHands) {
     Bout bout;
     const auto actions = bout.analysis.at({0, 0}).segmentation->actions.size();
     for (int i = 0; i < static_cast<int>(actions); ++i)
-        bout.hand({0, 0}, {i}, i % 2 == 0 ? "left_kick:up+move:F-F" : "others+move:F-F");
+        bout.hand({0, 0}, {i}, i % 2 == 0 ? "left_kick:up+move:F-F" : "move:F-F");
     const Proposals proposals = bout.proposals();
     const ActionTable table = actionTable(bout.project, bout.analysis);
     const HandJudgement judged = judgeHandLabels(bout.project, bout.analysis, table,
