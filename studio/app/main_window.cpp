@@ -22,6 +22,7 @@
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/focus_frame.h"
 #include "studio/app/icons.h"
 #include "studio/app/key_bindings.h"
 #include "studio/app/message_strip.h"
@@ -129,6 +130,8 @@ void MainWindow::layOut() {
     box->setSpacing(0);
     timeline_ = new TimelineView(session_, timelineBox_);
     box->addWidget(timeline_, 1);
+    new FocusFrame(stage_);
+    new FocusFrame(timeline_);
     rows_->addWidget(columns_);
     rows_->addWidget(timelineBox_);
     for (QSplitter* splitter : {rows_, columns_, content_}) {

@@ -113,6 +113,7 @@ QScrollBar::handle:hover { background: @second; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QFrame[role="strip"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
+QFrame[role="focus"] { background: transparent; border: 1px solid @accent; }
 QFrame[role="separator"] { background: @line; border: none; }
 )");
     const auto put = [&sheet](const char* name, const QColor& colour) {

@@ -21,10 +21,13 @@
 #include "studio/app/command_palette.h"
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/focus_frame.h"
 #include "studio/app/import/import_dialog.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/recovery_dialog.h"
 #include "studio/app/versions_dialog.h"
+#include "studio/timeline/timeline_view.h"
+#include "studio/view3d/stage_view.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -175,6 +178,18 @@ TEST_F(EveryControl, OfTheWindow) {
     window_->commands().setKeys("review.reject", {QKeySequence("Ctrl+Alt+X")});
     window_->commands().setKeys("transport.play", {QKeySequence("Ctrl+Alt+P")});
     expectDescribed(window_.get());
+}
+
+TEST_F(EveryControl, ShowsThatTheKeyboardHasLedToIt) {
+    openBout();
+    auto* frame = timeline().findChild<FocusFrame*>();
+    ASSERT_NE(frame, nullptr);
+    window_->stage().setFocus();
+    timeline().setFocus(Qt::BacktabFocusReason);
+    EXPECT_TRUE(frame->isVisible());
+    EXPECT_EQ(frame->geometry(), timeline().rect());
+    click(timeline().rect().center());
+    EXPECT_FALSE(frame->isVisible());
 }
 
 TEST_F(EveryControl, OfTheMenusOfTheViews) {
