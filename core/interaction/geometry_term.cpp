@@ -15,24 +15,30 @@ namespace {
 constexpr double kPooledFloor = 1e-4;
 /// Least share of the pooled variance that is left where a sample is taken out of a tiny class.
 constexpr double kLeastVariance = 1e-4;
+/// Variances are never 0, which only τ = 0 could bring about.
+constexpr double kTiny = 1e-12;
 
 struct Turn {
     Eigen::MatrixXd transform;
     Eigen::VectorXd variances;
 };
 
-/// L⁻¹ of a covariance L Lᵀ.
-Turn whitened(const Eigen::MatrixXd& covariance) {
-    const Eigen::Index size = covariance.rows();
-    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
-    return {factor.matrixL().solve(Eigen::MatrixXd::Identity(size, size)),
-            Eigen::VectorXd::Ones(size)};
-}
-
 /// Principal axes with floored variances.
 Turn principal(const Eigen::MatrixXd& covariance, double floor) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(covariance);
     return {solved.eigenvectors().transpose(), solved.eigenvalues().cwiseMax(floor)};
+}
+
+/// L⁻¹ of a covariance L Lᵀ; of a singular one (no shrinkage, few samples) its principal axes.
+Turn whitened(const Eigen::MatrixXd& covariance) {
+    const Eigen::Index size = covariance.rows();
+    const Eigen::LLT<Eigen::MatrixXd> factor(covariance);
+    const auto pivots = factor.matrixLLT().diagonal().array();
+    if (factor.info() != Eigen::Success || !(pivots.minCoeff() > std::sqrt(kTiny))) {
+        return principal(covariance, kTiny);
+    }
+    return {factor.matrixL().solve(Eigen::MatrixXd::Identity(size, size)),
+            Eigen::VectorXd::Ones(size)};
 }
 
 }  // namespace
@@ -88,7 +94,7 @@ GeometryTerm::GeometryTerm(const GeometrySettings& settings, const Eigen::Matrix
         case CovarianceKind::Diagonal:
             transforms_.push_back(Eigen::MatrixXd::Identity(size, size));
             for (const ClassMoments& each : moments)
-                variances.emplace_back(each.covariance.diagonal());
+                variances.emplace_back(each.covariance.diagonal().cwiseMax(kTiny));
             break;
         case CovarianceKind::Full:
             for (const ClassMoments& each : moments)

@@ -193,8 +193,8 @@ TEST(CrossValidation, FindsWhatThereIsToFind) {
     };
     EXPECT_NEAR(label(LabelEstimator::Uniform).validation, -std::log(4.0), 1e-12);
     EXPECT_GT(label(LabelEstimator::Equ7).validation, -1.0) << "the law is 80 % sure";
-    EXPECT_GT(result.geometryTerm[static_cast<std::size_t>(CovarianceKind::SemiTied)].validation,
-              result.pooled.validation)
+    EXPECT_GT(result.geometryTerm[static_cast<std::size_t>(CovarianceKind::SemiTied)].train,
+              result.pooled.train)
         << "places depend on labels";
     for (const Averages& averages : result.geometryTerm)
         EXPECT_TRUE(std::isfinite(averages.train) && std::isfinite(averages.validation));
