@@ -57,6 +57,11 @@ public:
             const QColor line = cell.byHand ? colours_.secondText
                                             : mixed(colours_.ground, colours_.secondText, 0.45);
             const int y = block.center().y();
+            if (cell.uncertain) {
+                painter_.setPen(QPen(line, 1, Qt::DotLine));
+                painter_.drawLine(block.left(), y, block.right(), y);
+                return;
+            }
             painter_.fillRect(QRect(block.left(), y, block.width(), cell.byHand ? 2 : 1), line);
             return;
         }

@@ -15,6 +15,7 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/key_bindings.h"
 #include "studio/app/keys_page.h"
+#include "studio/app/workspaces.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -154,27 +155,32 @@ TEST_F(EveryCommand, IsNotHiddenByTheLetterOfAMenu) {
     }
 }
 
-TEST_F(EveryCommand, StandsInThePaletteAndOnTheSheetOfKeys) {
+TEST_F(EveryCommand, StandsInThePaletteAndOnTheSheetOfKeysOfItsWorkspace) {
     openBout();
-    window_->commandPalette().open();
-    const QStringList offered = window_->commandPalette().shownCommands();
-    QStringList sheet;
-    for (const KeyGroup& group : keyGroups(window_->commands())) {
-        for (const KeyGroup::Row& row : group.rows)
-            sheet.append(group.title + row.text + row.keys);
-    }
-    for (const Command& command : window_->commands().commands()) {
-        SCOPED_TRACE(command.id.toStdString());
-        // A menu of its own and the palette itself cannot be run from the palette.
-        const bool runs = window_->commands().action(command.id)->menu() == nullptr &&
-                          command.id != "app.palette";
-        if (runs && window_->commands().isEnabled(command)) {
-            EXPECT_TRUE(offered.contains(command.id));
+    for (const Workspace& workspace : window_->workspaces().all()) {
+        window_->workspaces().show(workspace.id);
+        settle();
+        window_->commandPalette().open();
+        const QStringList offered = window_->commandPalette().shownCommands();
+        QStringList sheet;
+        for (const KeyGroup& group : keyGroups(window_->commands())) {
+            for (const KeyGroup::Row& row : group.rows)
+                sheet.append(group.title + row.text + row.keys);
         }
-        if (!command.keys.isEmpty()) {
-            EXPECT_TRUE(
-                sheet.contains(command.plainMenu() + command.plainText() + command.keysText()));
+        for (const Command& command : window_->commands().commands()) {
+            SCOPED_TRACE((workspace.id + ' ' + command.id).toStdString());
+            // A menu of its own and the palette itself cannot be run from the palette.
+            const bool runs = window_->commands().action(command.id)->menu() == nullptr &&
+                              command.id != "app.palette";
+            if (runs && window_->commands().isEnabled(command)) {
+                EXPECT_TRUE(offered.contains(command.id));
+            }
+            if (command.keys.isEmpty()) continue;
+            EXPECT_EQ(
+                sheet.contains(command.plainMenu() + command.plainText() + command.keysText()),
+                command.isOf(workspace.id));
         }
+        window_->commandPalette().hide();
     }
 }
 

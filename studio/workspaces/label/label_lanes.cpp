@@ -14,7 +14,7 @@ LaneCell laneCell(const Aspect& aspect, const ShownAspect& shown) {
     const bool rule = shown.value.source == LabelSource::Rule;
     // That a rule finds nothing is no question to anybody.
     cell.uncertain = shown.isUncertain() && !(rule && nothing);
-    if (nothing && !cell.uncertain) {
+    if (nothing) {
         cell.look = LaneLook::Nothing;
     } else if (cell.byHand) {
         cell.look = LaneLook::Hand;

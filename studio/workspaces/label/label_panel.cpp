@@ -32,7 +32,8 @@ double confidenceOf(const Vocabulary& vocabulary, const ShownAction& action) {
     for (int a = 0; a < vocabulary.size(); ++a) {
         if (vocabulary[a].classifier != Classifier::Msvm) continue;
         const ShownAspect& shown = action.aspects[static_cast<std::size_t>(a)];
-        if (shown.standing == Standing::Hand) continue;
+        // One class seen says nothing about how sure the others are.
+        if (shown.standing == Standing::Hand || shown.prediction.blind) continue;
         least = std::min(least, static_cast<double>(shown.value.confidence));
     }
     return least;

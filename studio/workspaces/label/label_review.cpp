@@ -49,7 +49,8 @@ void LabelReview::next() {
                 : tr("No question is left. Accept what rules and machine say of the rest."));
         return;
     }
-    const ShownAction* current = labels_.current();
+    // Where nobody has chosen an action the queue begins at its beginning.
+    const ShownAction* current = labels_.session().selectedAction() ? labels_.current() : nullptr;
     const int now = current ? labels_.indexOf(current->fighter, current->peak) : -1;
     const auto here = std::find(queue.begin(), queue.end(), now);
     auto to = here == queue.end() || here + 1 == queue.end() ? queue.begin() : here + 1;

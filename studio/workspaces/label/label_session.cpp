@@ -190,7 +190,8 @@ void LabelSession::rebuildQueue() {
         }
     };
     gather();
-    if (first.empty() && learnt()) {
+    // A batch of before the last answers is stale; the next one is under way.
+    if (first.empty() && learnt() && learning_.isCurrent()) {
         batch_.clear();
         for (const int row : learnt()->batch) {
             const auto at = static_cast<std::size_t>(row);

@@ -106,7 +106,7 @@ void ProgressBox::refresh() {
     advice_->setText(adviceText());
     const int sure = labels_.countSure(threshold());
     const bool anyLeft = progress.actions > 0 && progress.settled < progress.actions;
-    accept_->setText(sure == 0 && anyLeft && progress.byHand > 0 ? tr("Accept rules' labels")
+    accept_->setText(sure == 0 && anyLeft && progress.byHand > 0 ? tr("Accept rules")
                                                                  : tr("Accept %1 sure").arg(sure));
     accept_->setEnabled(anyLeft && progress.byHand > 0);
 }
