@@ -227,8 +227,7 @@ void expectSame(const Project& a, Project b, const std::string& after) {
 }
 
 TEST(EditRoundTrip, CoversEveryEdit) {
-    const std::string header =
-        test::readText(test::sourceFolder() / "core/project/edits.h");
+    const std::string header = test::readText(test::sourceFolder() / "core/project/edits.h");
     const std::regex declaration(R"(\nMaybeEdit (\w+)\()");
     std::set<std::string> declared;
     for (std::sregex_iterator it(header.begin(), header.end(), declaration), end; it != end; ++it)

@@ -313,8 +313,7 @@ TEST(BodyModelFile, ReadsWhatAProjectHolds) {
     writeText(folder / "bad.json", R"({"name": "x", "segments": [{"name": "a", "mass": 0,
                   "from": ["left_hip"]}]})");
     EXPECT_THROW(readBodyModel(folder / "bad.json"), InputError);
-    const auto shipped = test::sourceFolder() / "resources" / "body_models" /
-                         "de_leva_female.json";
+    const auto shipped = test::sourceFolder() / "resources" / "body_models" / "de_leva_female.json";
     double sum = 0;
     for (const BodySegment& segment : readBodyModel(shipped).segments)
         sum += segment.mass;
