@@ -16,6 +16,7 @@
 #include "studio/app/commands.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/workspaces.h"
+#include "studio/timeline/timeline_view.h"
 #include "studio/view3d/action_tiles.h"
 #include "studio/workspaces/label/compare_labels_box.h"
 #include "studio/workspaces/label/confusion_matrix.h"
