@@ -1,5 +1,6 @@
 #include "core/interaction/geometry_term.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
@@ -13,6 +14,23 @@ namespace {
 
 /// What is added to the pooled covariance, so that dimensions that never vary have some width.
 constexpr double kPooledFloor = 1e-4;
+/// W̄ (method A8): what the classes vary within themselves, by its unbiased estimate. Where most
+/// classes have a single sample, that says little or nothing; so what all samples vary counts as
+/// much as one sample per dimension.
+Eigen::MatrixXd sharedCovariance(std::span<const ClassMoments> classes,
+                                 const Eigen::MatrixXd& standard) {
+    const auto samples = static_cast<double>(standard.rows());
+    const auto dimensions = static_cast<double>(standard.cols());
+    double freedom = 0;
+    for (const ClassMoments& each : classes)
+        freedom += std::max(0.0, each.count - 1);
+    Eigen::MatrixXd shared = samples * pooledCovariance(classes);
+    shared.noalias() += (dimensions / samples) * (standard.transpose() * standard);
+    shared /= freedom + dimensions;
+    shared.diagonal().array() += kPooledFloor;
+    return shared;
+}
+
 /// Least share of the pooled variance that is left where a sample is taken out of a tiny class.
 constexpr double kLeastVariance = 1e-4;
 /// Variances are never 0, which only τ = 0 could bring about.
@@ -74,8 +92,7 @@ GeometryTerm::GeometryTerm(const GeometrySettings& settings, const Eigen::Matrix
 
     std::vector<ClassMoments> moments = classMoments(standard, classes, classCount);
     const Eigen::Index size = standard.cols();
-    pooled_ = pooledCovariance(moments);
-    pooled_.diagonal().array() += kPooledFloor;
+    pooled_ = sharedCovariance(moments, standard);
     const bool raw = settings.kind == CovarianceKind::FullRaw;
     shrinkToward(pooled_, raw ? 0 : settings.shrinkage, moments);
 

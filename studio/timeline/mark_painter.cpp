@@ -116,7 +116,7 @@ void MarkPainter::paintActions(const Track& track, int player) {
         if (to < strip.left() || from > strip.right()) continue;
         paintNoteMark(QRectF(from, strip.top(), to - from, strip.height()));
         // Right of the action's number, left of the folded corner.
-        const QString number = QString::number(action - actions.data() + 1);
+        const QString number = QString::number(action - actions.data());
         const double left = from + 5 + painter_.fontMetrics().horizontalAdvance(number) + 8;
         const double room = to - 12 - left;
         if (room < 30) continue;

@@ -83,7 +83,7 @@ QString LabelLanes::describe(const ActionRef& ref, int lane) const {
     const ShownAction* action = labels_.find(ref);
     if (action == nullptr) return {};
     const Vocabulary& vocabulary = labels_.vocabulary();
-    QStringList parts = {tr("%1 · action %2").arg(fighterText(ref.player)).arg(action->index + 1)};
+    QStringList parts = {tr("%1 · action %2").arg(fighterText(ref.player)).arg(action->index)};
     if (lane < 0) {
         parts.append(labelWords(vocabulary, action->label(), true));
         const QString note = labels_.session().noteOf(ref);

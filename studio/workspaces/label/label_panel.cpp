@@ -207,7 +207,7 @@ void LabelPanel::showChoice() {
     which_->setText(chosen.size() > 1 ? tr("%1 actions chosen").arg(chosen.size())
                                       : tr("%1 · action %2 · %3")
                                             .arg(fighterText(action->fighter.player))
-                                            .arg(action->index + 1)
+                                            .arg(action->index)
                                             .arg(timeText(labels_.timeOf(*action), 0.1)));
     showAnswers(*action);
     QStringList reasons;
@@ -228,7 +228,10 @@ void LabelPanel::showAnswers(const ShownAction& action) {
     const Vocabulary& vocabulary = labels_.vocabulary();
     const QString accept = keyOf(QStringLiteral("label.accept"));
     const QString reject = keyOf(QStringLiteral("label.reject"));
-    const auto withKey = [](const QString& text, const QString& key) {
+    // The long names of these two keys would push the label out of a narrow panel.
+    const auto withKey = [](const QString& text, QString key) {
+        key.replace(QStringLiteral("Backspace"), QStringLiteral("⌫"));
+        key.replace(QStringLiteral("Return"), QStringLiteral("⏎"));
         return key.isEmpty() ? text : text + QStringLiteral("   ") + key;
     };
     const QString label = labelWords(vocabulary, action.label());
