@@ -77,7 +77,7 @@ void MatrixView::layOut() {
         grid = grid.fitted(kLargestFitted);
         grid.cell = std::max(grid.cell, kUsualCell);
     }
-    setGrid(grid.scrolled(grid.scroll));
+    setGrid(grid.scrolled(grid_.scroll));
 }
 
 void MatrixView::setGrid(const MatrixGrid& grid) {

@@ -5,6 +5,8 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QListView>
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -15,13 +17,36 @@
 
 namespace kumite::studio {
 
+namespace {
+
+/// Labels are longer than the box, and both their ends tell them apart.
+class LabelChoice : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QStyleOptionComboBox option;
+        initStyleOption(&option);
+        const QRect field = style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                    QStyle::SC_ComboBoxEditField, this);
+        option.currentText =
+            fontMetrics().elidedText(option.currentText, Qt::ElideMiddle, field.width() - 4);
+        QStylePainter painter(this);
+        painter.drawComplexControl(QStyle::CC_ComboBox, option);
+        painter.drawControl(QStyle::CE_ComboBoxLabel, option);
+    }
+};
+
+}  // namespace
+
 WhatIfBox::WhatIfBox(GraphSession& graph, QWidget* parent)
     : QWidget(parent),
       graph_(graph),
       model_(new WhatIfModel(graph, this)),
       follow_(new QCheckBox(tr("at playhead"), this)),
-      own_(new QComboBox(this)),
-      opponent_(new QComboBox(this)),
+      own_(new LabelChoice(this)),
+      opponent_(new LabelChoice(this)),
       title_(new QLabel(this)),
       list_(new QListView(this)) {
     layOut();
@@ -32,6 +57,7 @@ WhatIfBox::WhatIfBox(GraphSession& graph, QWidget* parent)
         connect(box, &QComboBox::currentIndexChanged, this, [this] {
             if (!filling_) rank();
         });
+        connect(box, &QComboBox::currentTextChanged, box, &QWidget::setToolTip);
     }
     connect(&graph_, &GraphSession::valuesChanged, this, &WhatIfBox::fillLabels);
     connect(&graph_, &GraphSession::optionsChanged, this, &WhatIfBox::fillLabels);

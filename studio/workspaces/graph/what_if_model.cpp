@@ -93,7 +93,7 @@ void WhatIfDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
     const QString mark = actual ? QStringLiteral("▸ ") : QString();
     painter->drawText(
         first, Qt::AlignLeft | Qt::AlignVCenter,
-        painter->fontMetrics().elidedText(mark + index.data().toString(), Qt::ElideRight,
+        painter->fontMetrics().elidedText(mark + index.data().toString(), Qt::ElideMiddle,
                                           static_cast<int>(first.width() - room)));
     font.setBold(false);
     font.setPointSizeF(std::max(7.5, font.pointSizeF() - 1.0));
