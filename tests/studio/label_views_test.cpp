@@ -29,7 +29,6 @@
 #include "studio/workspaces/label/quality_box.h"
 #include "studio/workspaces/label/rules_box.h"
 #include "studio/workspaces/label/similar_box.h"
-#include "studio/workspaces/segment/value_field.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -239,6 +238,8 @@ TEST_F(LabelViewsTest, ACellOfTheMatrixOpensItsActions) {
     EXPECT_EQ(labels().current()->peak, list.rows()[0].peak);
     QTest::keyClick(quality.list().table(), Qt::Key_Down);
     EXPECT_EQ(labels().current()->peak, list.rows()[1].peak);
+    QTest::keyClick(quality.list().table(), Qt::Key_Down, Qt::ShiftModifier);
+    EXPECT_EQ(labels().chosen().size(), 2U) << "arrows belong to the list that has the focus";
 }
 
 TEST_F(LabelViewsTest, SimilarActionsLoopInStepAndGetTheSameLabel) {
@@ -288,25 +289,19 @@ TEST_F(LabelViewsTest, ADragOfAThresholdIsOneStepAndCountsWhatChanges) {
     say({2}, "left_punch:fwd");
     run("label.page.rules");
     RulesBox& rules = views().rules();
-    auto* fast = named<ValueField>(rules, QStringLiteral("Speed below which a foot lands"));
-    if (fast == nullptr) {
-        for (auto* field : rules.findChildren<ValueField*>()) {
-            if (field->toolTip().contains(QStringLiteral("slower"))) fast = field;
-        }
-    }
+    auto* slider = named<QSlider>(rules, QStringLiteral("Speed below which a foot lands"));
+    ASSERT_NE(slider, nullptr);
     const std::size_t before = steps();
     const double was = project().labelling.rules.contacts.speed;
-    for (auto* slider : rules.findChildren<QSlider*>()) {
-        slider->setSliderDown(true);
-        slider->setSliderPosition(slider->minimum() + 1);
-        settle();
-        slider->setSliderPosition(slider->minimum());
-        settle();
-        slider->setSliderDown(false);
-        break;
-    }
+    slider->setSliderDown(true);
+    slider->setSliderPosition(slider->minimum() + 1);
+    settle();
+    slider->setSliderPosition(slider->minimum());
+    settle();
+    slider->setSliderDown(false);
     settle();
     EXPECT_EQ(steps(), before + 1) << "one gesture";
+    EXPECT_DOUBLE_EQ(project().labelling.rules.contacts.speed, 0.05);
     EXPECT_NE(rules.changesText(), QString());
     EXPECT_TRUE(rules.changesText().contains(QStringLiteral("move")));
     press(Qt::Key_Z, Qt::ControlModifier);
@@ -360,14 +355,15 @@ TEST_F(LabelViewsTest, LabelsComeInWithAReportAndAVocabularyTellsWhatItDrops) {
     ASSERT_TRUE(labels().clear(std::vector<int>{1, 4}));
     settle();
     std::ofstream(file("labels.csv").toStdString(), std::ios::app)
-        << "left,1,900,901,right_kick:up,hand,1,900.5\n";
+        << "left,1,900,901,900.5,right_kick:up,hand,1\n";
     const std::size_t before = steps();
     exchange.importFrom(file("labels.csv"));
     settle();
     EXPECT_EQ(steps(), before + 1);
     EXPECT_TRUE(labels().actions()[1].anyByHand());
     EXPECT_TRUE(labels().actions()[4].anyByHand());
-    EXPECT_TRUE(window_->messages().text().contains(QStringLiteral("found their action")));
+    EXPECT_TRUE(window_->messages().text().contains(QStringLiteral("found their action")))
+        << window_->messages().text().toStdString();
     const qint64 size = QFile(file("left.bvh")).size();
     exchange.exportTo(file("left.bvh"));
     EXPECT_EQ(QFile(file("left.bvh")).size(), size) << "a recording is never written over";

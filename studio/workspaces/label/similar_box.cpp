@@ -149,6 +149,7 @@ void SimilarBox::showTiles() {
     }
     tiles_->show(std::move(tiles));
     showChoice();
+    Q_EMIT shown();
 }
 
 void SimilarBox::showChoice() {
