@@ -17,6 +17,8 @@ constexpr int kSegments = 14;
 constexpr int kCorners = 28;
 constexpr double kThinnest = 0.15;  ///< of an edge's width is left where it ends
 constexpr double kRim = 0.012;
+constexpr double kLitRim = 2.6 * kRim;  ///< how far the ring of the moment reaches beyond a node
+constexpr double kGroundLine = 0.011;   ///< a pixel or more in a small window
 constexpr double kGroundRadius = 1.08;  ///< of the circle behind a fighter's graph
 
 using Path = std::vector<Eigen::Vector3d>;
@@ -189,7 +191,8 @@ ColouredMesh graphMesh(const GraphScene& scene, const CameraController& camera,
     ColouredMesh mesh;
     MeshMaker maker(mesh, camera);
     for (const GraphScene::Ground& ground : scene.grounds)
-        maker.ring(ground.centre, kGroundRadius, 0.006, faded(ground.colour, 0.35, colours), false);
+        maker.ring(ground.centre, kGroundRadius, kGroundLine, faded(ground.colour, 0.35, colours),
+                   false);
     const Eigen::Vector3d forward = camera.forward();
     const double apart = 0.01 / std::max<std::size_t>(1, scene.edges.size());
     for (const GraphScene::Edge& edge : scene.edges) {
@@ -204,7 +207,7 @@ ColouredMesh graphMesh(const GraphScene& scene, const CameraController& camera,
         maker.disc(node.place, node.radius, faded(node.fill, node.presence, colours));
         maker.nearer(0.0004);
         if (node.lit) {
-            maker.ring(node.place, node.radius + 2.6 * kRim, 1.3 * kRim, colours.accent, true);
+            maker.ring(node.place, node.radius + kLitRim, 1.3 * kRim, colours.accent, true);
         }
         if (node.ringed) {
             maker.ring(node.place, node.radius + kRim, 0.9 * kRim, colours.text, true);
@@ -273,7 +276,8 @@ std::vector<GraphName> placeNames(const GraphScene& scene, const CameraControlle
         const GraphScene::Node& node = nodeAt(scene, index);
         const Eigen::Vector3d place = camera.project(node.place, viewport);
         if (place.z() <= 0) continue;
-        const double reach = node.radius * pixelsPer(place, viewport) + 3;
+        const double rim = node.lit ? kLitRim : node.ringed ? kRim : 0;
+        const double reach = (node.radius + rim) * pixelsPer(place, viewport) + 3;
         const QSizeF size(metrics.horizontalAdvance(node.name) + 2, metrics.height() - 2);
         const QPointF at(place.x(), place.y());
         const QPointF corners[] = {at + QPointF(reach, -size.height() / 2),

@@ -79,8 +79,8 @@ QWidget* GraphCentre::makeHeader() {
         group->addButton(button, id);
         row->addWidget(button);
     };
-    addButton(viewButtons_, 0, tr("Matrix"), tr("Transitions as a matrix (G)"));
-    addButton(viewButtons_, 1, tr("Graph"), tr("Transitions as circles and edges (G)"));
+    addButton(viewButtons_, 0, tr("Matrix"), tr("Transitions as a matrix (V)"));
+    addButton(viewButtons_, 1, tr("Graph"), tr("Transitions as circles and edges (V)"));
     viewButtons_->button(0)->setChecked(true);
     connect(viewButtons_, &QButtonGroup::idClicked, this, [this](int id) { showMatrix(id == 0); });
     row->addSpacing(8);

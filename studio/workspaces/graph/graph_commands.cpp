@@ -54,13 +54,13 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
     commands.add({"graph.view",
                   menu,
                   text("&Matrix or graph"),
-                  {QKeySequence("G")},
+                  {QKeySequence("V")},
                   [page] { page->showMatrix(!page->showsMatrix()); },
                   any});
     commands.add({"graph.space",
                   menu,
                   text("Graph in &space"),
-                  {QKeySequence("Shift+G")},
+                  {QKeySequence("Shift+V")},
                   [page] {
                       const bool space = page->nodes().options().inSpace;
                       page->nodes().setInSpace(page->showsMatrix() || !space);

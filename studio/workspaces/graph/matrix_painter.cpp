@@ -103,7 +103,7 @@ void MatrixPainter::paintRowNames() {
             QRectF(4, rect.center().y() - metrics.height() / 2.0, rect.width() - 10,
                    metrics.height()),
             Qt::AlignRight | Qt::AlignVCenter,
-            metrics.elidedText(line.name, Qt::ElideRight, static_cast<int>(rect.width() - 10)));
+            metrics.elidedText(line.name, Qt::ElideMiddle, static_cast<int>(rect.width() - 10)));
     }
     painter_.restore();
 }
@@ -126,7 +126,7 @@ void MatrixPainter::paintColumnNames() {
         const double room = grid_.columnHeader - 9;
         painter_.drawText(QRectF(0, -metrics.height() / 2.0, room, metrics.height()),
                           Qt::AlignLeft | Qt::AlignVCenter,
-                          metrics.elidedText(line.name, Qt::ElideRight, static_cast<int>(room)));
+                          metrics.elidedText(line.name, Qt::ElideMiddle, static_cast<int>(room)));
         painter_.restore();
     }
     painter_.restore();

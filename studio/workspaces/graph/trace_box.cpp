@@ -112,6 +112,7 @@ TraceBox::TraceBox(GraphSession& graph, QWidget* parent)
     table_->verticalHeader()->setDefaultSectionSize(20);
     QHeaderView* header = table_->horizontalHeader();
     header->setHighlightSections(false);
+    header->setTextElideMode(Qt::ElideRight);
     header->setMinimumSectionSize(20);
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(TraceModel::WhatColumn, QHeaderView::Stretch);
