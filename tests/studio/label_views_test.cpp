@@ -357,12 +357,19 @@ TEST_F(LabelViewsTest, LabelsComeInWithAReportAndAVocabularyTellsWhatItDrops) {
     std::ofstream(file("labels.csv").toStdString(), std::ios::app)
         << "left,1,900,901,900.5,right_kick:up,hand,1\n";
     const std::size_t before = steps();
+    QString said;
+    const auto hinted = QObject::connect(&session(), &Session::hinted, [&](const QString& text) {
+        if (!text.isEmpty()) said = text;
+    });
     exchange.importFrom(file("labels.csv"));
     settle();
+    QObject::disconnect(hinted);
     EXPECT_EQ(steps(), before + 1);
     EXPECT_TRUE(labels().actions()[1].anyByHand());
     EXPECT_TRUE(labels().actions()[4].anyByHand());
-    EXPECT_TRUE(window_->messages().text().contains(QStringLiteral("found their action")))
+    // The status line counts, the strip says what found nothing.
+    EXPECT_EQ(said.toStdString(), "labels.csv: 2 of 3 labels found their action.");
+    EXPECT_TRUE(window_->messages().text().contains(QStringLiteral("no action there")))
         << window_->messages().text().toStdString();
     const qint64 size = QFile(file("left.bvh")).size();
     exchange.exportTo(file("left.bvh"));
