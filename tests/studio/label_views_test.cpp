@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSlider>
 #include <QTableView>
 #include <QTest>
@@ -184,6 +185,15 @@ TEST_F(LabelViewsTest, FindsActionsAsOneTypesAndLabelsThemAllAtOnce) {
     ASSERT_EQ(found.rowCount(), 3);
     EXPECT_EQ(found.data(found.index(0, FoundModel::LabelColumn), Qt::DisplayRole).toString(),
               "right kick up");
+    // A narrow list leaves its room to the labels, and still says who spoke.
+    find.list().resize(220, 300);
+    EXPECT_TRUE(find.list().table()->isColumnHidden(FoundModel::SourceColumn));
+    EXPECT_EQ(found.data(found.index(0, FoundModel::ConfidenceColumn), Qt::DisplayRole).toString(),
+              "hand");
+    find.list().resize(400, 300);
+    EXPECT_FALSE(find.list().table()->isColumnHidden(FoundModel::SourceColumn));
+    EXPECT_EQ(found.data(found.index(0, FoundModel::ConfidenceColumn), Qt::DisplayRole).toString(),
+              "1.00");
     // Enter leads from one to the next and loops it.
     QTest::keyClick(find.field(), Qt::Key_Return);
     EXPECT_EQ(labels().current()->peak, found.rows()[0].peak);
@@ -207,6 +217,20 @@ TEST_F(LabelViewsTest, FindsActionsAsOneTypesAndLabelsThemAllAtOnce) {
                     .contains(QStringLiteral("did you mean \"kick\"?")));
     find.setText(QStringLiteral("unlabelled"));
     EXPECT_EQ(found.rowCount(), static_cast<int>(labels().actions().size()) - 3);
+}
+
+TEST_F(LabelViewsTest, NoPageIsCutOffInASmallWindow) {
+    openLabelling();
+    window_->resize(1280, 800);
+    say({2}, "left_punch:fwd");
+    for (int page = 0; page < LabelViews::PageCount; ++page) {
+        views().setPage(static_cast<LabelViews::Page>(page));
+        settle();
+        for (auto* scroll : views().findChildren<QScrollArea*>()) {
+            if (!scroll->isVisible()) continue;
+            EXPECT_LE(scroll->widget()->width(), scroll->viewport()->width()) << "page " << page;
+        }
+    }
 }
 
 TEST_F(LabelViewsTest, ACellOfTheMatrixOpensItsActions) {
