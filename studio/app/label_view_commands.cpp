@@ -59,7 +59,8 @@ void MainWindow::addLabelViewCommands(LabelViews& views) {
         [&views] { views.find().list().chooseAll(); }, false, finding);
     add(
         "label.similar.give", tr("&Give similar actions the same label"),
-        {QKeySequence("Ctrl+Shift+L")}, [&views] { views.similar().giveLabel(); }, false,
+        {QKeySequence("Ctrl+Shift+Return"), QKeySequence("Ctrl+Shift+Enter")},
+        [&views] { views.similar().giveLabel(); }, false,
         [&views] {
             return views.page() == LabelViews::SimilarPage && views.similar().actions().size() > 1;
         });
@@ -95,6 +96,9 @@ void MainWindow::addLabelViewCommands(LabelViews& views) {
                 views.comparison().list()->setFocus();
             });
     connect(&views, &LabelViews::pageChanged, commands_, &CommandTable::refresh);
+    connect(&views.find().list().model(), &FoundModel::modelReset, commands_,
+            &CommandTable::refresh);
+    connect(&views.similar(), &SimilarBox::shown, commands_, &CommandTable::refresh);
     connect(&views.comparison(), &CompareLabelsBox::changed, commands_, &CommandTable::refresh);
 }
 

@@ -1,6 +1,7 @@
 #include "studio/app/main_window.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
@@ -284,6 +285,13 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_Space && qobject_cast<QAbstractButton*>(watched) != nullptr) {
+            event->accept();
+            return true;
+        }
+        // Up and Down lead through a list that has the focus; elsewhere they may be commands.
+        const bool upOrDown = key->key() == Qt::Key_Up || key->key() == Qt::Key_Down;
+        if (upOrDown && (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0 &&
+            qobject_cast<QAbstractItemView*>(watched) != nullptr) {
             event->accept();
             return true;
         }

@@ -119,6 +119,7 @@ CompareLabelsBox::CompareLabelsBox(LabelSession& labels, QWidget* parent)
     buttons->addWidget(closeButton_, 1, 1);
     layout->addLayout(buttons);
     sentence_->setWordWrap(true);
+    sentence_->setAlignment(Qt::AlignTop);
     sentence_->setProperty("role", "second");
     aspects_->setHorizontalHeaderLabels({tr("aspect"), tr("both"), tr("same"), tr("κ")});
     aspects_->setAccessibleName(tr("Agreement per aspect"));
@@ -150,8 +151,9 @@ CompareLabelsBox::CompareLabelsBox(LabelSession& labels, QWidget* parent)
         table->horizontalHeader()->resizeSection(column, metrics.horizontalAdvance(widest) + 12);
     };
     fix(table_, DifferencesModel::TimeColumn, QStringLiteral("00:00.0"));
-    for (int column = 1; column < 4; ++column)
-        fix(aspects_, column, QStringLiteral("same 0"));
+    fix(aspects_, 1, tr("both"));
+    fix(aspects_, 2, QStringLiteral("100 %"));
+    fix(aspects_, 3, QStringLiteral("0.00"));
     theirsButton_->setToolTip(tr("Their value, as said by a hand; goes on to the next (Enter)"));
     mineButton_->setToolTip(tr("What the project says stays; goes on to the next (Backspace)"));
     allButton_->setToolTip(tr("Theirs for all that are not decided, as one step of the history"));
@@ -163,7 +165,7 @@ CompareLabelsBox::CompareLabelsBox(LabelSession& labels, QWidget* parent)
             [this](const QModelIndex& row) { goToRow(row.row()); });
     connect(&labels_, &LabelSession::changed, this, &CompareLabelsBox::follow);
     connect(&labels_.session().document(), &Document::opened, this, &CompareLabelsBox::close);
-    showButtons();
+    fillTable();
 }
 
 QWidget* CompareLabelsBox::list() const {

@@ -18,6 +18,9 @@ namespace kumite::studio {
 
 namespace {
 
+/// Narrower, a list has no room for labels beside all its columns, pixels.
+constexpr int kNarrow = 300;
+
 double secondsOf(LabelSession& labels, const FoundRow& row) {
     const Project& project = labels.session().document().project();
     return timeOfFrame(fighterAt(project, row.fighter), row.peak);
@@ -32,6 +35,14 @@ void FoundModel::show(std::vector<FoundRow> rows) {
     beginResetModel();
     rows_ = std::move(rows);
     endResetModel();
+}
+
+void FoundModel::setBrief(bool brief) {
+    if (brief == brief_) return;
+    brief_ = brief;
+    if (rows_.empty()) return;
+    Q_EMIT dataChanged(index(0, ConfidenceColumn),
+                       index(static_cast<int>(rows_.size()) - 1, ConfidenceColumn));
 }
 
 int FoundModel::rowOf(FighterAddress fighter, int peak) const {
@@ -75,6 +86,7 @@ QVariant FoundModel::data(const QModelIndex& index, int role) const {
                 case SourceColumn:
                     return row.source;
                 default:
+                    if (brief_ && row.source == sourceWords(LabelSource::Hand)) return row.source;
                     return row.confidence ? QString::number(*row.confidence, 'f', 2) : QString();
             }
         case Qt::ForegroundRole:
@@ -140,7 +152,9 @@ FoundList::FoundList(LabelSession& labels, const QString& name, QWidget* parent)
     header->resizeSection(FoundModel::SourceColumn,
                           metrics.horizontalAdvance(sourceWords(LabelSource::Machine)) + 10);
     header->resizeSection(FoundModel::ConfidenceColumn,
-                          metrics.horizontalAdvance(QStringLiteral("0.00")) + 12);
+                          std::max(metrics.horizontalAdvance(QStringLiteral("0.00")),
+                                   metrics.horizontalAdvance(sourceWords(LabelSource::Hand))) +
+                              14);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &FoundList::rowsChosen);
     connect(&labels_, &LabelSession::choiceChanged, this, &FoundList::followCurrent);
@@ -155,6 +169,12 @@ void FoundList::show(std::vector<FoundRow> rows, const QString& said) {
     model_->show(std::move(rows));
     following_ = false;
     followCurrent();
+}
+
+void FoundList::resizeEvent(QResizeEvent*) {
+    const bool narrow = width() < kNarrow;
+    table_->setColumnHidden(FoundModel::SourceColumn, narrow);
+    model_->setBrief(narrow);
 }
 
 void FoundList::goToRow(int row) {

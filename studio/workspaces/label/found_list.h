@@ -36,6 +36,8 @@ public:
     void show(std::vector<FoundRow> rows);
     const std::vector<FoundRow>& rows() const { return rows_; }
     int rowOf(FighterAddress fighter, int peak) const;
+    /// Without the column of sources: the last one says "hand" instead of a hand's 1.00.
+    void setBrief(bool brief);
 
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
@@ -47,6 +49,7 @@ private:
 
     LabelSession& labels_;
     std::vector<FoundRow> rows_;
+    bool brief_ = false;
 };
 
 /// A list of actions: choosing a row goes to the action and loops it; several rows are chosen
@@ -65,6 +68,9 @@ public:
     void step(int direction);
     /// Chooses all actions of the list that belong to the shown take.
     void chooseAll();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void goToRow(int row);

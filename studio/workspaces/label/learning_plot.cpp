@@ -204,19 +204,31 @@ void LearningPlot::paintLegend(QPainter& painter, const LearningPlotAxes& axes) 
                          metrics.elidedText(textAt(*pointer_), Qt::ElideRight, width()));
         return;
     }
-    double x = axes.area.left();
-    const auto entry = [&](const QPen& pen, const QString& text) {
-        painter.setPen(pen);
-        painter.drawLine(QPointF(x, kTop / 2 - 1), QPointF(x + 14, kTop / 2 - 1));
-        painter.setPen(c.secondText);
-        const double width = metrics.horizontalAdvance(text);
-        painter.drawText(QRectF(x + 18, 0, width + 2, kTop - 2), Qt::AlignVCenter, text);
-        x += 18 + width + 12;
+    struct Entry {
+        QPen pen;
+        QString text;
     };
-    if (!values_.expected.empty()) entry(QPen(c.text, 1.5), tr("expected"));
-    if (values_.orders.points.empty()) return;
-    entry(QPen(kAsked, 2), tr("as asked"));
-    entry(QPen(c.secondText, 1.5, Qt::DashLine), tr("random"));
+    std::vector<Entry> entries;
+    if (!values_.expected.empty()) entries.push_back({QPen(c.text, 1.5), tr("expected")});
+    if (!values_.orders.points.empty()) {
+        entries.push_back({QPen(kAsked, 2), tr("as asked")});
+        entries.push_back({QPen(c.secondText, 1.5, Qt::DashLine), tr("random")});
+    }
+    constexpr double kLine = 10, kGap = 3, kBetween = 8;
+    double all = -kBetween;
+    for (const Entry& entry : entries)
+        all += kLine + kGap + metrics.horizontalAdvance(entry.text) + kBetween;
+    // Above the curves, or as far left as a narrow panel asks for.
+    double x = std::max(0.0, std::min(axes.area.left(), width() - all));
+    for (const Entry& entry : entries) {
+        painter.setPen(entry.pen);
+        painter.drawLine(QPointF(x, kTop / 2 - 1), QPointF(x + kLine, kTop / 2 - 1));
+        x += kLine + kGap;
+        painter.setPen(c.secondText);
+        const double wide = metrics.horizontalAdvance(entry.text);
+        painter.drawText(QRectF(x, 0, wide + 2, kTop - 2), Qt::AlignVCenter, entry.text);
+        x += wide + kBetween;
+    }
 }
 
 void LearningPlot::paintEvent(QPaintEvent*) {

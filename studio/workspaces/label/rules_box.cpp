@@ -27,6 +27,7 @@ double& valueOf(RuleSettings& rules, int field) {
 
 RulesBox::RulesBox(LabelSession& labels, QWidget* parent)
     : QWidget(parent), labels_(labels), changes_(new QLabel(this)), reasons_(new QLabel(this)) {
+    // Short words: the panel of a small window has room for no others.
     const struct {
         QString text;
         SliderScale scale;
@@ -37,7 +38,7 @@ RulesBox::RulesBox(LabelSession& labels, QWidget* parent)
          {tr("Height below which a foot lands"),
           tr("A foot stands once its toes are lower than this above their rest height …"), tr(" m"),
           3, 0.01, 1.0}},
-        {tr("and slower than"),
+        {tr("slower than"),
          {0.05, 2.0, 195},
          {tr("Speed below which a foot lands"), tr("… and slower than this."), tr(" m/s"), 2, 0.05,
           10.0}},
@@ -45,15 +46,15 @@ RulesBox::RulesBox(LabelSession& labels, QWidget* parent)
          {0.02, 0.30, 280},
          {tr("Height above which a foot lifts"),
           tr("It no longer stands once its toes are higher than this …"), tr(" m"), 3, 0.01, 1.0}},
-        {tr("or faster than"),
+        {tr("faster than"),
          {0.1, 3.0, 290},
          {tr("Speed above which a foot lifts"), tr("… or faster than this."), tr(" m/s"), 2, 0.05,
           10.0}},
-        {tr("Stands at least"),
+        {tr("Stands for"),
          {0.0, 0.3, 300},
          {tr("Shortest stance"), tr("A stance that is shorter does not count."), tr(" s"), 3, 0.01,
           2.0}},
-        {tr("Closes above"),
+        {tr("Closes at"),
          {0.0, 5.0, 500},
          {tr("Speed at which an attack must close"),
           tr("An attack counts for the react rule if its fist or foot closes on the trunk or head "

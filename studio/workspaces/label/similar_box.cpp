@@ -55,7 +55,7 @@ SimilarBox::SimilarBox(LabelSession& labels, QWidget* parent)
       tiles_(new ActionTiles(this)),
       said_(new QLabel(this)),
       give_(new QPushButton(this)),
-      opponent_(new QCheckBox(tr("Opponents"), this)) {
+      opponent_(new QCheckBox(tr("Both"), this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(5);
@@ -73,7 +73,7 @@ SimilarBox::SimilarBox(LabelSession& labels, QWidget* parent)
     give_->setToolTip(
         tr("The chosen ones get the label of the first one, said by a hand, as one step of the "
            "history. A click or Space chooses, a double click or Enter goes there."));
-    opponent_->setToolTip(tr("Show the other fighter, too"));
+    opponent_->setToolTip(tr("Show both fighters: the opponent, too"));
     opponent_->setChecked(true);
     connect(opponent_, &QCheckBox::toggled, tiles_, &ActionTiles::setWithOpponent);
     connect(give_, &QPushButton::clicked, this, &SimilarBox::giveLabel);
@@ -149,6 +149,7 @@ void SimilarBox::showTiles() {
     }
     tiles_->show(std::move(tiles));
     showChoice();
+    Q_EMIT shown();
 }
 
 void SimilarBox::showChoice() {

@@ -33,6 +33,10 @@ public:
     /// Gives the chosen ones (none chosen: all) the current one's label, as said by a hand.
     void giveLabel();
 
+Q_SIGNALS:
+    /// Other actions are shown than before.
+    void shown();
+
 protected:
     void showEvent(QShowEvent* event) override;
 
