@@ -128,7 +128,12 @@ GeometryTerm::GeometryTerm(const GeometrySettings& settings, const Eigen::Matrix
         Gaussian gaussian;
         gaussian.count = moments[m].count;
         gaussian.transform = transforms_.size() > 1 ? static_cast<int>(m) : 0;
-        gaussian.mean = transforms_[static_cast<std::size_t>(gaussian.transform)] * moments[m].mean;
+        // The global mean is 0 in standardised numbers.
+        const double own = raw || gaussian.count <= 0
+                               ? 1.0
+                               : gaussian.count / (gaussian.count + settings.meanShrinkage);
+        gaussian.mean =
+            own * (transforms_[static_cast<std::size_t>(gaussian.transform)] * moments[m].mean);
         gaussian.variances = variances[m];
         setFactor(gaussian);
         gaussians_.push_back(std::move(gaussian));
@@ -179,9 +184,11 @@ double GeometryTerm::logDensityWithout(const Eigen::VectorXd& numbers, int label
         rest.variances = pooled;
     } else {
         // Along each axis; the axes stay those that were found with the sample.
-        const Eigen::ArrayXd squares = (n + tau) * gaussian.variances.array() -
-                                       n / (n - 1) * (y - gaussian.mean).array().square();
-        rest.mean = (n * gaussian.mean - y) / (n - 1);
+        const double kappa = settings_.meanShrinkage;
+        const Eigen::VectorXd sum = (n + kappa) * gaussian.mean;
+        const Eigen::ArrayXd squares =
+            (n + tau) * gaussian.variances.array() - n / (n - 1) * (y - sum / n).array().square();
+        rest.mean = (sum - y) / (n - 1 + kappa);
         rest.variances = (squares / (n - 1 + tau)).max(kLeastVariance * pooled.array()).matrix();
     }
     setFactor(rest);

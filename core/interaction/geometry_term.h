@@ -17,7 +17,10 @@ std::string_view covarianceName(CovarianceKind kind);  ///< "SEMITIED"
 
 struct GeometrySettings {
     CovarianceKind kind = CovarianceKind::SemiTied;
-    double shrinkage = 20;          ///< τ, samples
+    double shrinkage = 20;  ///< τ, samples
+    /// κ, samples of the global mean that count with a label's own: the mean of a label seen once
+    /// or twice is mostly chance. Not of FullRaw.
+    double meanShrinkage = 2;
     double eigenvalueFloor = 1e-3;  ///< of FullRaw, standardised units
     SemiTiedSettings semiTied;
 

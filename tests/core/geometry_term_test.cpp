@@ -50,6 +50,7 @@ GeometrySettings plain(CovarianceKind kind) {
     GeometrySettings settings;
     settings.kind = kind;
     settings.shrinkage = 0;
+    settings.meanShrinkage = 0;
     settings.eigenvalueFloor = 1e-12;
     settings.semiTied = {200, 1e-14};
     return settings;
@@ -236,11 +237,11 @@ TEST(GeometryTerm, UnitsOfTheNumbersOnlyShiftTheDensity) {
 TEST(GeometryTerm, WithoutASampleItsClassIsAsIfLearntWithoutIt) {
     // DIAGONAL has no axes to keep, so that only standardising and W̄ differ: with many samples
     // hardly at all.
-    const Samples made = madeSamples({400, 5, 1}, 3);
+    const Samples made = madeSamples({1600, 5, 1}, 3);
     GeometrySettings settings;
     settings.kind = CovarianceKind::Diagonal;
     const GeometryTerm term(settings, made.rows, made.classes, made.count);
-    for (const Eigen::Index i : {402, 405}) {
+    for (const Eigen::Index i : {1602, 1605}) {
         const auto index = static_cast<std::size_t>(i);
         Eigen::MatrixXd rest(made.rows.rows() - 1, 3);
         rest << made.rows.topRows(i), made.rows.bottomRows(made.rows.rows() - i - 1);

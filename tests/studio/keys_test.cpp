@@ -277,13 +277,13 @@ TEST_F(WindowTest, AFreeKeyIsAssignedWithoutAQuestion) {
     window_->showPreferences(PreferencesDialog::KeysPage);
     auto* editor = window_->findChild<KeyEditor*>();
     editor->chooseCommand("fighter.swap");
-    QTest::keyClick(editor->findChild<KeyField*>(), Qt::Key_F7);
+    QTest::keyClick(editor->findChild<KeyField*>(), Qt::Key_F12);
     QPushButton* assign = buttonOf(*editor, "Assign");
     ASSERT_NE(assign, nullptr);
     ASSERT_TRUE(assign->isEnabled());
     assign->click();
     const Project before = session().document().project();
-    press(Qt::Key_F7);
+    press(Qt::Key_F12);
     EXPECT_EQ(session().document().project().takes[0].fighters[0], before.takes[0].fighters[1]);
     resetKeys(window_->commands());
 }
