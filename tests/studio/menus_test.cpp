@@ -17,6 +17,7 @@
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/segment/segment_panel.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -145,7 +146,7 @@ TEST_F(ContextMenus, OfTheStageKnowTheFighterUnderThePointer) {
 
 TEST_F(ContextMenus, OfListsActOnTheRowUnderThePointer) {
     openBout();
-    auto* table = window_->findChild<QTableView*>();
+    auto* table = window_->findChild<SegmentPanel*>()->findChild<QTableView*>();
     ASSERT_NE(table, nullptr);
     const QModelIndex third = table->model()->index(2, 0);
     rightClick(table->viewport(), table->visualRect(third).center());

@@ -248,6 +248,8 @@ TEST_F(TimelineTest, RowsAreChosenAndRemembered) {
 
 TEST_F(TimelineTest, CurvesOnWishAreMadeBesideTheWindow) {
     openBout();
+    timeline().setFixedHeight(240);  // it would take room for more rows
+    settle();
     const QImage plain = timeline().grab().toImage();
     window_->commands().run("timeline.handSpeed");
     EXPECT_TRUE(timeline().isPreparing());
