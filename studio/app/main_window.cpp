@@ -220,9 +220,9 @@ void MainWindow::shareSpace() {
     // what is to be seen in it.
     const int height = pages_->height();
     const int wished = std::min(timelineBox_->sizeHint().height(), 2 * height / 5);
-    const int timeline = std::max(std::clamp(height / 4, 176, 300), wished);
+    const int timeline = std::max(std::clamp(height / 4 - 4, 176, 300), wished);
     rows_->setSizes({height - timeline - 1, timeline});
-    const int left = width() < 1600 ? 128 : 176;
+    const int left = width() < 1600 ? 136 : 176;
     const int right = width() < 1600 ? 232 : 264;
     const int middle = width() - left - right - 2;
     columns_->setSizes({left, middle, right});
