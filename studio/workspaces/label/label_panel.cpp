@@ -102,10 +102,6 @@ LabelPanel::LabelPanel(LabelReview& review, CommandTable& commands, QWidget* par
     showLabels();
 }
 
-void LabelPanel::addPage(const QString& title, QWidget* page) {
-    pages_->addTab(page, title);
-}
-
 QWidget* LabelPanel::makeQuestion() {
     auto* box = new QWidget(this);
     auto* layout = new QVBoxLayout(box);

@@ -28,8 +28,6 @@ public:
 
     /// Accepts what is at least as sure as the field says.
     void acceptSure();
-    /// Another page below, beside keys and queue.
-    void addPage(const QString& title, QWidget* page);
 
 private:
     QWidget* makeQuestion();
