@@ -67,7 +67,7 @@ TEST(Clip, EveryRecordingComesBackFromPoses) {
         SCOPED_TRACE(file.string());
         const bool isAmc = file.extension() == ".amc";
         const Recording recording =
-            isAmc ? readRecording(file, file.parent_path() / "135-martialArts.asf")
+            isAmc ? readRecording(file, {.asf = file.parent_path() / "135-martialArts.asf"})
                   : readRecording(file);
         for (const auto& motion : recording.motions) {
             const Survey survey = surveyMotion(*motion);
@@ -103,7 +103,7 @@ TEST(Clip, WholeTurnsDoNotJump) {
         makeSkeleton({{"root", -1, {0, 0, 0}, "XYZzxy"}, {"tip", 0, {0, 1, 0}, ""}});
     const auto motion = makeMotion(
         skeleton, 200, 60, [](int frame, int column) { return column == 5 ? 7.0 * frame : 0.0; });
-    const Clip clip = clipOf(*motion, motion->frames(), kMetres, {});
+    const Clip clip = clipOf(*motion, motion->frames(), kMetres, RoleMap());
     const Motion back = motionOf(clip, skeleton, kMetres);
     for (int frame = 0; frame < 200; ++frame)
         EXPECT_NEAR(back.frame(frame)[5], 7.0 * frame, 1e-6);
@@ -129,7 +129,7 @@ TEST(Clip, ComesBackOnRandomSkeletons) {
             joint.rotationFrame = axisRotation(0, angle(random)) * axisRotation(1, angle(random));
         const auto motion = makeMotion(skeleton, 5, 30, [&](int, int) { return angle(random); });
         const SpaceConvention space{0.01, round % 2 == 0 ? UpAxis::Z : UpAxis::Y};
-        const Clip clip = clipOf(*motion, {1, 5}, space, {});
+        const Clip clip = clipOf(*motion, {1, 5}, space, RoleMap());
         const auto original = forwardKinematics(*motion, {1, 5}, space);
         EXPECT_LT(worstDistance(positionsOf(clip), original), 2e-6);
         const Motion back = motionOf(clip, skeleton, space);
@@ -211,10 +211,10 @@ TEST(Clip, BonesInPositionChannelsAreKeptAsTheirMean) {
         if (column == 9) return frame % 2 == 0 ? 3.0 : 5.0;
         return column < 3 ? 1.0 * frame : 0.0;
     });
-    const Rig rig = rigOf(*motion, motion->frames(), kMetres, {});
+    const Rig rig = rigOf(*motion, motion->frames(), kMetres, RoleMap());
     EXPECT_EQ(rig.joints[1].offset, Eigen::Vector3d(2, 0, 0));
     EXPECT_EQ(rig.joints[2].offset, Eigen::Vector3d(4, 0, 0));
-    const Findings losses = rigLosses(*motion, motion->frames(), kMetres, {});
+    const Findings losses = rigLosses(*motion, motion->frames(), kMetres, RoleMap());
     ASSERT_EQ(losses.size(), 1U);
     EXPECT_NE(losses[0].text.find("lower changes by up to 100.00 cm"), std::string::npos)
         << losses[0].text;
@@ -229,7 +229,7 @@ TEST(Clip, ATurnThatAJointCannotShowIsBroughtNear) {
                                         {"knee", 0, {0, -1, 0}, "x"},
                                         {"foot", 1, {0, -1, 0}, ""}});
     const auto motion = makeMotion(skeleton, 1, 60, [](int, int) { return 0.0; });
-    Clip clip = clipOf(*motion, motion->frames(), kMetres, {});
+    Clip clip = clipOf(*motion, motion->frames(), kMetres, RoleMap());
     clip.frames[0].turns[1] = Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()) *
                               Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY());
     const Motion back = motionOf(clip, skeleton, kMetres);
@@ -238,7 +238,7 @@ TEST(Clip, ATurnThatAJointCannotShowIsBroughtNear) {
 
 TEST(Clip, AnotherSkeletonIsRefused) {
     const auto motion = test::bobbing(3, 60, [](double) { return 0.0; });
-    const Clip clip = clipOf(*motion, motion->frames(), {}, {});
+    const Clip clip = clipOf(*motion, motion->frames(), {}, RoleMap());
     EXPECT_THROW(motionOf(clip, makeSkeleton({{"root", -1, {0, 0, 0}, "XYZ"}}), {}), Error);
     EXPECT_EQ(motionOf(clip, motion->skeleton, {}).frameTime, motion->frameTime);
 }

@@ -128,7 +128,9 @@ TEST(Reach, AnOverstretchedKneeBendsForward) {
             (bent.place(Role::LeftAnkle) - bent.place(Role::LeftHip)).normalized();
         const Vector3d off = bent.place(Role::LeftKnee) - bent.place(Role::LeftHip);
         const double ahead = (off - off.dot(line) * line).z();
-        if (share >= 0.005) EXPECT_GT(ahead, 0.02);
+        if (share >= 0.005) {
+            EXPECT_GT(ahead, 0.02);
+        }
         EXPECT_GT(ahead, before - 0.02);
         before = ahead;
     }
