@@ -64,7 +64,7 @@ TEST(Npz, ArraysStandWithTypeAndShape) {
         std::memcmp(positions.data() + 10 + header, expected.xyz.data(), 4 * expected.xyz.size()),
         0);
     EXPECT_NE(members.at("rate_2.npy").find("'shape': ()"), std::string::npos);
-    EXPECT_NE(members.at("names_2.npy").find("'<U21'"), std::string::npos);
+    EXPECT_NE(members.at("names_2.npy").find("'<U19'"), std::string::npos);
 }
 
 TEST(Npz, TextsMayBeAnyUtf8) {
@@ -81,9 +81,18 @@ TEST(Npz, TheSameClipGivesTheSameBytes) {
     EXPECT_EQ(npzBytes(clipArrays(clip, 0, "")), npzBytes(clipArrays(clip, 0, "")));
 }
 
+/// A Python that has numpy: the first on the path, or the system's.
+std::string pythonWithNumpy() {
+    for (const std::string python : {"python3", "/usr/bin/python3"}) {
+        if (std::system((python + " -c 'import numpy' >/dev/null 2>&1").c_str()) == 0)
+            return python;
+    }
+    return {};
+}
+
 TEST(Npz, NumpyReadsIt) {
-    if (std::system("python3 -c 'import numpy' >/dev/null 2>&1") != 0)
-        GTEST_SKIP() << "no python3 with numpy";
+    const std::string python = pythonWithNumpy();
+    if (python.empty()) GTEST_SKIP() << "no Python with numpy";
     const test::TemporaryFolder folder;
     test::writeText(folder / "clip.npz", npzBytes(clipArrays(twoFrames(), 0.5, "")));
     test::writeText(folder / "check.py",
@@ -97,7 +106,7 @@ TEST(Npz, NumpyReadsIt) {
                     "assert float(z['rate']) == 60 and float(z['start']) == 0.5\n"
                     "assert abs(z['positions'][0, 0, 1] - 0.92) < 1e-6\n");
     const std::string command =
-        "python3 " + (folder / "check.py").string() + " " + (folder / "clip.npz").string();
+        python + " " + (folder / "check.py").string() + " " + (folder / "clip.npz").string();
     EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
