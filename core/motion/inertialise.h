@@ -21,13 +21,18 @@ struct JoinSettings {
     /// that stops dead would else swing on.
     double overshootTurn = 0.25;
     double overshootRoot = 0.05;
+    /// What letting go may add to a joint's acceleration, rad/s², such as the 99th percentile
+    /// inside recorded actions; 0: anything. A joint that would need more takes longer than
+    /// `duration`, but not longer than `longest`.
+    double turnAcceleration = 0;
+    double longest = 0.5;  ///< seconds
 
     bool operator==(const JoinSettings&) const = default;
 };
 
 /// A join that is smooth from the first frame on (inertialised: Bollo, GDC 2018): the following
 /// motion is shown with the offset that the shown one had at the join, which decays to nothing.
-/// With T = duration and s = t / T
+/// With T = duration (of each joint) and s = t / T
 ///     x(t) = x0 (1 − 10 s³ + 15 s⁴ − 6 s⁵) + v0 T (s − 6 s³ + 8 s⁴ − 3 s⁵)
 /// per component: position and speed are continuous at t = 0; position, speed and acceleration of
 /// the offset are 0 at T.
@@ -41,14 +46,16 @@ public:
 
     /// Adds what is left of the offset `seconds` after the join.
     void apply(Pose& pose, double seconds) const;
-    bool over(double seconds) const { return seconds >= duration_; }
+    bool over(double seconds) const { return seconds >= longest_; }
     /// The offset itself, `seconds` after the join.
     PoseOffset at(double seconds) const;
 
 private:
     PoseOffset offset_;
     PoseOffset velocity_;
-    double duration_ = 0;
+    double rootDuration_ = 0;
+    std::vector<double> durations_;  ///< per joint, seconds
+    double longest_ = 0;             ///< of all of them
 };
 
 /// `second` after `first`, which have one rig and rate: the last frame of `first` and the first of
