@@ -52,17 +52,16 @@ double durationFor(double offset, double speed, double most) {
     return (linear + std::sqrt(linear * linear + 4 * most * 5.774 * offset)) / (2 * most);
 }
 
-/// What is left of an offset after `seconds`.
-Vector3d left(const Vector3d& offset, const Vector3d& velocity, double seconds, double duration) {
+}  // namespace
+
+Vector3d decayed(const Vector3d& x0, const Vector3d& v0, double seconds, double duration) {
     if (seconds >= duration) return Vector3d::Zero();
     const double s = std::max(0.0, seconds) / duration;
     const double cubed = s * s * s;
     const double ofOffset = 1.0 + cubed * (-10.0 + s * (15.0 - 6.0 * s));
     const double ofVelocity = duration * (s + cubed * (-6.0 + s * (8.0 - 3.0 * s)));
-    return ofOffset * offset + ofVelocity * velocity;
+    return ofOffset * x0 + ofVelocity * v0;
 }
-
-}  // namespace
 
 PoseOffset offsetBetween(const Pose& shown, const Pose& other) {
     PoseOffset offset;
@@ -105,9 +104,9 @@ PoseOffset Inertialisation::at(double seconds) const {
     PoseOffset rest;
     rest.turns.assign(offset_.turns.size(), Vector3d::Zero());
     if (over(seconds)) return rest;
-    rest.root = left(offset_.root, velocity_.root, seconds, rootDuration_);
+    rest.root = decayed(offset_.root, velocity_.root, seconds, rootDuration_);
     for (std::size_t i = 0; i < rest.turns.size(); ++i)
-        rest.turns[i] = left(offset_.turns[i], velocity_.turns[i], seconds, durations_[i]);
+        rest.turns[i] = decayed(offset_.turns[i], velocity_.turns[i], seconds, durations_[i]);
     return rest;
 }
 
