@@ -8,6 +8,7 @@ Prints the largest distance between a joint of the .npz and of the imported file
 in millimetres; ends with 1 if it is beyond 1 mm. After a .bvh: the player and metres per unit. A .bvh
 stands on its recording's floor, not at 0; that shift is left out.
 """
+import builtins
 import sys
 
 import bpy
@@ -19,9 +20,13 @@ path = arguments[1]
 bpy.ops.wm.read_factory_settings(use_empty=True)
 is_bvh = path.endswith(".bvh")
 if is_bvh:
+    # Debian 12's Blender 3.4 opens .bvh with a mode that its Python no longer knows.
+    plain_open = builtins.open
+    builtins.open = lambda file, mode="r", *rest, **named: plain_open(
+        file, mode.replace("U", ""), *rest, **named)
     player = arguments[2] if len(arguments) > 2 else "1"
     suffixes = ["" if player == "1" else "_" + player]
-    bpy.ops.import_anim.bvh(filepath=path, global_scale=float(arguments[3]), frame_start=0,
+    bpy.ops.import_anim.bvh(filepath=path, global_scale=float(arguments[3]), frame_start=1,
                             axis_forward="-Z", axis_up="Y", update_scene_duration=True)
 else:
     suffixes = ["", "_2"]
@@ -38,7 +43,7 @@ for figure, suffix in zip(figures, suffixes):
     rate, start = float(arrays["rate" + suffix]), float(arrays["start" + suffix])
     shift = None
     for frame in np.linspace(0, len(expected) - 1, 9).astype(int):
-        moment = float(frame) if is_bvh else (start + frame / rate) * fps
+        moment = frame + 1.0 if is_bvh else (start + frame / rate) * fps
         scene.frame_set(int(np.floor(moment)), subframe=moment - np.floor(moment))
         shown = figure.evaluated_get(bpy.context.evaluated_depsgraph_get())
         for joint, name in enumerate(names):
