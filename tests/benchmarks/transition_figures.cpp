@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -22,134 +20,15 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
-#include "core/demo/demo.h"
-#include "core/motion/feet.h"
-#include "core/motion/retarget.h"
-#include "core/motion/survey.h"
-#include "core/project/library.h"
 #include "core/quality/quality.h"
 #include "core/transition/playback.h"
 #include "core/transition/sequence.h"
+#include "tests/benchmarks/transition_corpus.h"
 
 namespace {
 
 using namespace kumite;
-
-constexpr int kClips = 73, kFrames = 3648;  // the paper's corpus
-constexpr double kRate = 30;
-
-double processorSeconds() {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
-    const auto seconds = [](const timeval& t) {
-        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-    };
-    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-/// Processor seconds of some work; repeated until it took a while, the mean of all.
-double timed(const std::function<void()>& work, double least = 0.2) {
-    const double start = processorSeconds();
-    int times = 0;
-    do {
-        work();
-        ++times;
-    } while (processorSeconds() - start < least);
-    return (processorSeconds() - start) / times;
-}
-
-void settle(Clip& clip) {
-    const JointPositions positions = positionsOf(clip);
-    const double floor = std::min(restHeight(positions, *footPoint(*clip.rig, true)),
-                                  restHeight(positions, *footPoint(*clip.rig, false)));
-    for (Pose& pose : clip.frames)
-        pose.root.y() -= floor;
-}
-
-/// Both fighters of a made bout as motions of one rig.
-void addBout(MotionLibrary& library, double seconds, std::uint64_t seed) {
-    const demo::DemoBout bout = demo::makeDemoBout({seconds, kRate, seed});
-    for (const Motion& motion : bout.motions) {
-        const Survey survey = surveyMotion(motion);
-        Clip clip = clipOf(motion, motion.frames(), survey.space, survey.roles.roles, kRate);
-        settle(clip);
-        if (!library.rig) {
-            library.rig = clip.rig;
-            library.skeleton = motion.skeleton;
-            library.space = survey.space;
-            library.rate = kRate;
-        } else {
-            clip = retargeted(clip, library.rig);
-        }
-        LibraryMotion& added = library.motions.emplace_back();
-        added.name = fmt::format("made{}", library.motions.size());
-        added.sourceRate = kRate;
-        added.standing = standingOf(clip);
-        added.clip = std::move(clip);
-    }
-}
-
-std::filesystem::path dataFolder() {
-    const char* set = std::getenv("KUMITE_DATA");
-    return set ? set : "../shared/data";
-}
-
-/// Real recordings as a library; nothing where there are none.
-std::optional<MotionLibrary> recordings() {
-    const auto data = dataFolder();
-    if (!std::filesystem::exists(data / "MANIFEST.md")) return std::nullopt;
-    return loadLibrary({data / "cmu_karate/martial_03.bvh", data / "cmu_karate/martial_04.bvh",
-                        data / "cmu_karate/martial_06.bvh", data / "cmu_moves/02_05.bvh",
-                        data / "cmu_moves/49_02.bvh", data / "awkward/Boxing_Toes.bvh",
-                        data / "cmu_salsa/60_01.bvh", data / "cmu_salsa/61_03.bvh"})
-        .library;
-}
-
-/// `clips` stretches of about equal length, together `frames` frames, spread over a library; each
-/// is a motion and an action of its own.
-std::shared_ptr<const MotionLibrary> cutUp(const MotionLibrary& whole, int clips, int frames) {
-    auto library = std::make_shared<MotionLibrary>(whole);
-    library->motions.clear();
-    library->actions.clear();
-    const int longest = frames / clips + 1;
-    std::vector<LibraryAction> stretches;
-    for (std::size_t m = 0; m < whole.motions.size(); ++m) {
-        for (int at = 0; at + longest <= whole.motions[m].clip.frameCount(); at += longest)
-            stretches.push_back({"", "", static_cast<int>(m), {at, at + longest}});
-    }
-    int left = frames;
-    for (int i = 0; i < clips; ++i) {
-        const std::size_t chosen =
-            static_cast<std::size_t>(i) * stretches.size() / static_cast<std::size_t>(clips);
-        LibraryAction action = stretches[chosen];
-        action.frames.end = action.frames.begin + left / (clips - i);
-        left -= action.frames.size();
-        const MotionPart part = whole.part(action);
-        LibraryMotion& motion = library->motions.emplace_back();
-        motion.name =
-            fmt::format("{}@{}", whole.motions[static_cast<std::size_t>(action.motion)].name,
-                        action.frames.begin);
-        motion.sourceRate = kRate;
-        motion.clip = {whole.rig, kRate, {part.poses.begin(), part.poses.end()}};
-        motion.standing.assign(part.standing.begin(), part.standing.end());
-        library->actions.push_back({motion.name, "", i, {0, action.frames.size()}});
-    }
-    return library;
-}
-
-struct Corpus {
-    std::string name;
-    std::shared_ptr<const MotionLibrary> library;
-};
-
-std::vector<Corpus> corpora() {
-    std::vector<Corpus> list;
-    MotionLibrary made;
-    addBout(made, 120, 1);
-    list.push_back({"made", cutUp(made, kClips, kFrames)});
-    if (const auto real = recordings()) list.push_back({"real", cutUp(*real, kClips, kFrames)});
-    return list;
-}
+using namespace kumite::bench;
 
 /// The library's points held in memory, so that times are those of clustering alone.
 PointSource heldPoints(const MotionLibrary& library, const PoseMetric& metric) {
@@ -251,103 +130,6 @@ void measureCorpus(const Corpus& corpus) {
             allPaths, all.paths, 100 * all.share(),
             1e-6 * static_cast<double>(4 * all.visitedNodes + 12 * all.paths));
     }
-}
-
-/// Lloyd's k-means in the same space: means are sign-aligned and normalised; the centre is at last
-/// the frame nearest to the mean.
-PoseClusters kMeans(const PointSource& source, int k, int iterations) {
-    MetricPoints all{source.shape, {}};
-    std::vector<FrameAddress> addresses;
-    MetricPoints points{source.shape, {}};
-    for (std::size_t m = 0; m < source.frameCounts.size(); ++m) {
-        points.values.clear();
-        source.read(static_cast<int>(m), points);
-        for (int i = 0; i < points.count(); ++i) {
-            all.add(points.at(i));
-            addresses.push_back({static_cast<int>(m), i});
-        }
-    }
-    const int n = all.count();
-    const std::size_t width = source.shape.width();
-    std::mt19937 random(1);
-    std::vector<int> start(static_cast<std::size_t>(n));
-    for (int i = 0; i < n; ++i)
-        start[static_cast<std::size_t>(i)] = i;
-    std::shuffle(start.begin(), start.end(), random);
-    MetricPoints means{source.shape, {}};
-    for (int c = 0; c < k; ++c)
-        means.add(all.at(start[static_cast<std::size_t>(c)]));
-    std::vector<int> ids(static_cast<std::size_t>(n), -1);
-    std::vector<std::pair<double, int>> nearest;
-    for (int iteration = 0; iteration < iterations; ++iteration) {
-        nearest.assign(static_cast<std::size_t>(k), {INFINITY, -1});
-        bool changed = false;
-        for (int i = 0; i < n; ++i) {
-            double least = INFINITY;
-            int id = -1;
-            for (int c = 0; c < k; ++c) {
-                const double d = metricDistance(source.shape, means.at(c), all.at(i));
-                if (d < least) {
-                    least = d;
-                    id = c;
-                }
-            }
-            changed = changed || ids[static_cast<std::size_t>(i)] != id;
-            ids[static_cast<std::size_t>(i)] = id;
-            auto& best = nearest[static_cast<std::size_t>(id)];
-            best = std::min(best, {least, i});
-        }
-        std::vector<double> sums(means.values.size(), 0.0);
-        std::vector<int> counts(static_cast<std::size_t>(k), 0);
-        for (int i = 0; i < n; ++i) {
-            const auto id = static_cast<std::size_t>(ids[static_cast<std::size_t>(i)]);
-            const double* point = all.at(i);
-            const double* mean = means.at(static_cast<int>(id));
-            double* sum = sums.data() + id * width;
-            ++counts[id];
-            const auto coordinates = static_cast<std::size_t>(source.shape.coordinates);
-            for (std::size_t j = 0; j < coordinates; ++j)
-                sum[j] += point[j];
-            for (std::size_t j = coordinates; j < width; j += 4) {
-                double dot = 0;
-                for (std::size_t q = j; q < j + 4; ++q)
-                    dot += point[q] * mean[q];
-                for (std::size_t q = j; q < j + 4; ++q)
-                    sum[q] += dot < 0 ? -point[q] : point[q];
-            }
-        }
-        for (std::size_t c = 0; c < static_cast<std::size_t>(k); ++c) {
-            if (counts[c] == 0) continue;
-            const auto coordinates = static_cast<std::size_t>(source.shape.coordinates);
-            double* mean = means.values.data() + c * width;
-            const double* sum = sums.data() + c * width;
-            for (std::size_t j = 0; j < coordinates; ++j)
-                mean[j] = sum[j] / counts[c];
-            for (std::size_t j = coordinates; j < width; j += 4) {
-                const double length =
-                    std::hypot(std::hypot(sum[j], sum[j + 1]), std::hypot(sum[j + 2], sum[j + 3]));
-                for (std::size_t q = j; q < j + 4 && length > 0; ++q)
-                    mean[q] = sum[q] / length;
-            }
-        }
-        if (!changed) break;
-    }
-    PoseClusters clusters;
-    clusters.centres = PoseTree(source.shape);
-    std::vector<int> newId(static_cast<std::size_t>(k), -1);
-    for (int c = 0; c < k; ++c) {
-        const int frame = nearest[static_cast<std::size_t>(c)].second;
-        if (frame < 0) continue;
-        newId[static_cast<std::size_t>(c)] = clusters.count();
-        clusters.centres.add(all.at(frame));
-        clusters.founders.push_back(addresses[static_cast<std::size_t>(frame)]);
-    }
-    clusters.ids.resize(source.frameCounts.size());
-    for (int i = 0; i < n; ++i) {
-        clusters.ids[static_cast<std::size_t>(addresses[static_cast<std::size_t>(i)].motion)]
-            .push_back(newId[static_cast<std::size_t>(ids[static_cast<std::size_t>(i)])]);
-    }
-    return clusters;
 }
 
 /// What some transitions are like together.
