@@ -113,6 +113,7 @@ struct Scene {
     std::vector<std::pair<Vector3d, std::string>> marks;
     double centre = 0;  ///< along the right axis
     double width = 0;
+    double top = 0, bottom = 0;
     /// Along the up axis, of the floor below the figures: seen from above it is not 0.
     double ground = 0;
 };
@@ -135,6 +136,10 @@ Scene sceneOf(const FilmPicture& picture, const Eye& eye, double floor) {
             stroke.b = seen(stroke.b);
             widen(stroke.a.x(), stroke.radius);
             widen(stroke.b.x(), stroke.radius);
+            for (const Vector3d& end : {stroke.a, stroke.b}) {
+                scene.top = std::max(scene.top, end.y() + stroke.radius);
+                scene.bottom = std::min(scene.bottom, end.y() - stroke.radius);
+            }
         }
         scene.strokes.insert(scene.strokes.end(), strokes.begin(), strokes.end());
         Vector3d below = figure.clip->frames[static_cast<std::size_t>(figure.frame)].root;
@@ -183,19 +188,23 @@ std::string drawn(const Scene& scene, double centreX, double floorY, double scal
 std::string filmStripSvg(const std::string& title, const std::vector<FilmRow>& rows,
                          const FilmSettings& settings) {
     std::vector<std::vector<Scene>> scenes;
-    double widest = 0.8;
+    double widest = 0.8, tallest = 1.8, deepest = 0.05;  // metres over and below the floor line
     std::size_t columns = 1;
     for (const FilmRow& row : rows) {
         const Eye eye = eyeOf(row, settings.view);
         scenes.emplace_back();
         for (const FilmPicture& picture : row.pictures) {
             scenes.back().push_back(sceneOf(picture, eye, settings.floor));
-            widest = std::max(widest, scenes.back().back().width);
+            const Scene& scene = scenes.back().back();
+            widest = std::max(widest, scene.width);
+            tallest = std::max(tallest, scene.top - scene.ground);
+            deepest = std::max(deepest, scene.ground - scene.bottom);
         }
         columns = std::max(columns, row.pictures.size());
     }
     const double scale = settings.pixelsPerMetre;
-    const double pictureWidth = scale * (widest + 0.2), pictureHeight = scale * settings.height;
+    const double pictureWidth = scale * (widest + 0.2),
+                 pictureHeight = scale * (tallest + deepest + 0.2);
     const double rowHeight = kRowTitle + pictureHeight + kCaption + kGap;
     const double width = 2 * kMargin + static_cast<double>(columns) * (pictureWidth + kGap) - kGap;
     const double height = kTitle + static_cast<double>(rows.size()) * rowHeight + kMargin;
@@ -214,15 +223,18 @@ std::string filmStripSvg(const std::string& title, const std::vector<FilmRow>& r
         }
         for (std::size_t p = 0; p < scenes[r].size(); ++p) {
             const double left = kMargin + static_cast<double>(p) * (pictureWidth + kGap);
-            const double floorY = top + kRowTitle + pictureHeight - 0.12 * scale;
+            const double floorY = top + kRowTitle + pictureHeight - scale * (deepest + 0.07);
             svg += fmt::format(
-                "<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\">\n<rect "
-                "width=\"{2}\" height=\"{3}\" fill=\"#f4f4f2\"/>\n<line x1=\"0\" "
-                "y1=\"{4}\" x2=\"{2}\" y2=\"{4}\" stroke=\"#b8b8b4\"/>\n",
-                at(left), at(top + kRowTitle), at(pictureWidth), at(pictureHeight),
-                at(floorY - top - kRowTitle));
-            svg += drawn(scenes[r][p], pictureWidth / 2, floorY - top - kRowTitle, scale);
-            svg += "</svg>\n";
+                "<g class=\"picture\">\n<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+                "fill=\"#f4f4f2\"/>\n",
+                at(left), at(top + kRowTitle), at(pictureWidth), at(pictureHeight));
+            if (settings.view == FilmView::Side) {
+                svg += fmt::format(
+                    "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" "
+                    "stroke=\"#b8b8b4\"/>\n",
+                    at(left), at(floorY), at(left + pictureWidth), at(floorY));
+            }
+            svg += drawn(scenes[r][p], left + pictureWidth / 2, floorY, scale) + "</g>\n";
             svg +=
                 fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"middle\">{}</text>\n",
                             at(left + pictureWidth / 2), at(top + kRowTitle + pictureHeight + 15),

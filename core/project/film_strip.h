@@ -40,13 +40,12 @@ enum class FilmView { Side, ThreeQuarter };
 struct FilmSettings {
     FilmView view = FilmView::Side;
     double pixelsPerMetre = 90;
-    double floor = 0;     ///< metres
-    double height = 2.1;  ///< metres that a picture shows over the floor
+    double floor = 0;  ///< metres
 };
 
-/// Film strips for reports (paper A, Fig. 14), as SVG text on white: capsule figures, one scale, a
-/// line for the floor, captions below. Pictures are as wide as the widest needs. The same input
-/// gives the same text.
+/// Film strips for reports (paper A, Fig. 14), as SVG text on white: capsule figures, one scale,
+/// from the side a line for the floor, captions below. Pictures are as large as the largest needs.
+/// The same input gives the same text.
 std::string filmStripSvg(const std::string& title, const std::vector<FilmRow>& rows,
                          const FilmSettings& settings = {});
 

@@ -21,7 +21,7 @@ struct Line {
 };
 std::vector<Line> linesOf(const pugi::xml_node& picture) {
     std::vector<Line> lines;
-    for (const auto& node : picture.select_nodes(".//g/line[2]")) {
+    for (const auto& node : picture.select_nodes("./g/line[2]")) {
         const auto value = [&](const char* name) {
             return node.node().attribute(name).as_double();
         };
@@ -41,7 +41,7 @@ TEST(FilmStrip, TheSecondFighterStandsToTheRight) {
     const Clip first = standing({0.3, 1, 1}), second = standing({-2, 1, -1});
     FilmPicture picture{"now", {{&first, 0}, {&second, 0}}, {}};
     const auto document = parsed(filmStripSvg("A & B", {{"", {picture}}}));
-    const auto pictures = document.select_nodes("/svg/svg");
+    const auto pictures = document.select_nodes("//g[@class='picture']");
     ASSERT_EQ(pictures.size(), 1U);
     const auto lines = linesOf(pictures[0].node());
     EXPECT_EQ(lines.size(), 28U);  // 14 capsules each
@@ -54,8 +54,9 @@ TEST(FilmStrip, TheSecondFighterStandsToTheRight) {
     // Two metres apart at 90 pixels a metre, and their arms' reach beyond.
     EXPECT_GT(high - low, 180);
     EXPECT_LT(high - low, 180 + 2 * 90 * 0.8);
-    // A head of some 1.6 m over the floor line, which stands 0.12 m over the lower edge.
-    EXPECT_NEAR(top, 90 * (2.1 - 0.12 - 1.62), 12);
+    // The skull's upper end is 1.62 m over the floor line.
+    const double floor = pictures[0].node().child("line").attribute("y1").as_double();
+    EXPECT_NEAR(floor - top, 90 * 1.62, 0.2);
     EXPECT_STREQ(document.select_node("/svg/text[1]").node().text().get(), "A & B");
 }
 
@@ -65,10 +66,10 @@ TEST(FilmStrip, RowsAndColumnsStandInAGrid) {
     const auto document =
         parsed(filmStripSvg("", {{"made", {picture, picture, picture}}, {"recorded", {picture}}},
                             {.view = FilmView::ThreeQuarter}));
-    const auto pictures = document.select_nodes("/svg/svg");
+    const auto pictures = document.select_nodes("//g[@class='picture']");
     ASSERT_EQ(pictures.size(), 4U);
     const auto place = [&](std::size_t i, const char* name) {
-        return pictures[i].node().attribute(name).as_double();
+        return pictures[i].node().child("rect").attribute(name).as_double();
     };
     EXPECT_EQ(place(0, "y"), place(2, "y"));
     EXPECT_EQ(place(0, "x"), place(3, "x"));
@@ -88,7 +89,7 @@ TEST(FilmStrip, ALoneFighterFacesRight) {
         const Eigen::Vector3d ahead = GroundTransform{yaw, 3, -1} * Eigen::Vector3d(0, 1, 1);
         FilmPicture picture{"", {{&clip, 0}}, {{ahead}}};
         const auto document = parsed(filmStripSvg("", {{"", {picture}}}));
-        const auto lines = linesOf(document.select_nodes("/svg/svg")[0].node());
+        const auto lines = linesOf(document.select_nodes("//g[@class='picture']")[0].node());
         const double mark = document.select_node("//circle").node().attribute("cx").as_double();
         double mean = 0;
         for (const Line& line : lines)
@@ -106,7 +107,7 @@ TEST(FilmStrip, EvenFramesHoldBothEnds) {
 
 TEST(FilmStrip, NothingIsStillAPicture) {
     const auto document = parsed(filmStripSvg("empty", {{"row", {{"none", {}, {}}}}, {}}));
-    EXPECT_EQ(document.select_nodes("/svg/svg").size(), 1U);
+    EXPECT_EQ(document.select_nodes("//g[@class='picture']").size(), 1U);
 }
 
 }  // namespace
