@@ -430,6 +430,7 @@ void measureGrowth(double largest) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::cout << std::unitbuf;  // rows are seen as they come
     std::set<std::string> parts;
     double largest = 1000000;
     for (int i = 1; i < argc; ++i) {

@@ -37,6 +37,8 @@ public:
         library_->skeleton = makeHuman();
         library_->space = {0.01, UpAxis::Y};
         library_->rate = kRate;
+        // Feet at random heights: none is below this floor, so that poses are shown as they are.
+        library_->feet.floor = {-10, -10};
         const auto still = bobbing(1, kRate, [](double) { return 0.0; });
         library_->rig = std::make_shared<const Rig>(
             rigOf(*still, {0, 1}, library_->space, mapRoles(*still->skeleton).roles));
