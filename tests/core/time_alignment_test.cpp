@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/editing/time_mapping.h"
+#include "core/motion/blend.h"
 #include "tests/support/known_answers.h"
 
 namespace kumite {
@@ -108,6 +109,19 @@ TEST(TimeAlignment, DoesNotSeePlaceAndHeading) {
     const DistanceGrid grid = distanceGrid(motion, other);
     for (int f = 0; f < 20; ++f)
         EXPECT_NEAR(grid.at(f, f), 0, 1e-12);
+    // A cell is what the shared alignment of points leaves over.
+    for (const auto& [i, j] : {std::pair(0, 7), std::pair(13, 4)}) {
+        std::vector<Eigen::Vector3d> a, b;
+        for (int k = 0; k < 9; ++k) {
+            a.push_back(motion[std::size_t(i)].col(k));
+            b.push_back(other[std::size_t(j)].col(k));
+        }
+        const GroundTransform transform = groundAlignment(b, a);
+        double sum = 0;
+        for (std::size_t k = 0; k < 9; ++k)
+            sum += (a[k] - transform * b[k]).squaredNorm();
+        EXPECT_NEAR(grid.at(i, j), sum, 1e-9);
+    }
 }
 
 TEST(TimeAlignment, KeepsItsSlopeLimit) {
