@@ -22,8 +22,11 @@ struct Reach {
     std::vector<double> height;   ///< of the striking joint, metres
     std::vector<double> stretch;  ///< from the limb's root, metres
     std::vector<double> speed;    ///< against the pelvis, m/s
+    bool isKick = false;
 
-    double highest = 0, lowest = 0;
+    /// How far the limb has left its rest: a hand goes out, a foot (which may stand far behind)
+    /// goes up.
+    const std::vector<double>& away() const { return isKick ? height : out; }
 };
 
 std::optional<Reach> reachOf(const Clip& clip, FrameRange range, Striker striker) {
@@ -36,6 +39,7 @@ std::optional<Reach> reachOf(const Clip& clip, FrameRange range, Striker striker
     const auto root = rig.roles[rootRole];
     if (!joint || !pelvis || !root || range.empty()) return std::nullopt;
     Reach reach;
+    reach.isKick = isKick(striker);
     JointFrames frames;
     Vector3d before = Vector3d::Zero();
     for (int f = range.begin; f < range.end; ++f) {
@@ -48,8 +52,6 @@ std::optional<Reach> reachOf(const Clip& clip, FrameRange range, Striker striker
         reach.speed.push_back(f == range.begin ? 0.0 : (away - before).norm() * clip.rate);
         before = away;
     }
-    reach.highest = *std::max_element(reach.height.begin(), reach.height.end());
-    reach.lowest = *std::min_element(reach.height.begin(), reach.height.end());
     return reach;
 }
 
@@ -75,7 +77,8 @@ std::optional<StrikeMoment> strikeIn(const Clip& clip, FrameRange range, Striker
     const auto reach = reachOf(clip, range, striker);
     if (!reach || range.size() < 3) return std::nullopt;
     const double farthest = *std::max_element(reach->out.begin(), reach->out.end());
-    const double raised = 0.5 * (reach->highest + reach->lowest);
+    const auto [lowest, highest] = std::minmax_element(reach->height.begin(), reach->height.end());
+    const double raised = 0.5 * (*lowest + *highest);
     int hit = -1;
     const auto count = static_cast<int>(reach->out.size());
     for (int i = 0; i < count; ++i) {
@@ -88,16 +91,17 @@ std::optional<StrikeMoment> strikeIn(const Clip& clip, FrameRange range, Striker
     if (hit < 0)
         hit = static_cast<int>(std::max_element(reach->out.begin(), reach->out.end()) -
                                reach->out.begin());
-    // At rest: no farther out than a tenth of the way above the nearest of that side.
-    const double top = reach->out[static_cast<std::size_t>(hit)];
+    // At rest: no farther than a tenth of the way from the nearest of that side.
+    const std::vector<double>& away = reach->away();
+    const double top = away[static_cast<std::size_t>(hit)];
     const int margin = static_cast<int>(std::lround(0.1 * clip.rate));
     const auto edge = [&](int step, int end) {
         double nearest = top;
         for (int i = hit; i != end; i += step)
-            nearest = std::min(nearest, reach->out[static_cast<std::size_t>(i)]);
+            nearest = std::min(nearest, away[static_cast<std::size_t>(i)]);
         const double rest = nearest + 0.1 * (top - nearest);
         int i = hit;
-        while (i != end && reach->out[static_cast<std::size_t>(i)] > rest)
+        while (i != end && away[static_cast<std::size_t>(i)] > rest)
             i += step;
         return i + step * margin;
     };
@@ -116,7 +120,7 @@ std::vector<StrikeMoment> findStrikes(const Clip& clip, Striker striker, double 
         bool out;
     };
     std::vector<Turn> turns;
-    const auto at = [&](int f) { return reach->out[static_cast<std::size_t>(f)]; };
+    const auto at = [&](int f) { return reach->away()[static_cast<std::size_t>(f)]; };
     const int last = clip.frameCount() - 1;
     int low = 0, high = 0;
     bool goingOut = true;
@@ -146,8 +150,9 @@ std::vector<StrikeMoment> findStrikes(const Clip& clip, Striker striker, double 
         const FrameRange range{turns[i - 1].frame, turns[i + 1].frame + 1};
         const auto moment = strikeIn(clip, range, striker);
         if (!moment) continue;
-        const double lift = reach->height[static_cast<std::size_t>(moment->hit)] - reach->lowest;
-        if (isKick(striker) && lift < least) continue;
+        // A foot that goes straight up jumps or steps.
+        constexpr double kOut = 0.4;
+        if (isKick(striker) && reach->out[static_cast<std::size_t>(moment->hit)] < kOut) continue;
         moments.push_back(*moment);
     }
     return moments;

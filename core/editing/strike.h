@@ -35,12 +35,14 @@ struct StrikeMoment {
 /// The strike in `range`: full stretch is the frame at which the striking joint is farthest from
 /// its shoulder or hip, among those in which it is at least 80 % as far out from the pelvis,
 /// horizontally, as it ever is, and a foot at least half as high. `frames` is `range` without what
-/// is still before and after: from a tenth of a second before the limb leaves its rest to a tenth
-/// after it is back. Nothing if the range has fewer than three frames or the rig no such limb.
+/// is still before and after: from a tenth of a second before the limb leaves its rest (a hand goes
+/// out, a foot up) to a tenth after it is back. Nothing if the range has fewer than three frames or
+/// the rig no such limb.
 std::optional<StrikeMoment> strikeIn(const Clip& clip, FrameRange range, Striker striker);
 
-/// The strikes of an unlabelled recording: every time that the limb goes out from the pelvis by
-/// `least` metres or more, horizontally, and comes back; a foot must also be lifted that high.
+/// The strikes of an unlabelled recording: every time that a hand goes out from the pelvis by
+/// `least` metres or more, horizontally, and comes back; that a foot goes up as much and is 40 cm
+/// from the pelvis, horizontally, at full stretch.
 std::vector<StrikeMoment> findStrikes(const Clip& clip, Striker striker, double least = 0.25);
 
 /// The limb that strikes in a clip: the one whose striking joint gets fastest against the pelvis.
