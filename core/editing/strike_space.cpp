@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <span>
 
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
@@ -264,7 +265,10 @@ StrikeSpace strikeSpace(const std::vector<Strike>& examples, Striker striker,
 
 namespace {
 
-Pose rawBlend(const StrikeSpace& space, const BlendWeights& weights, int frame) {
+/// The blend of some joints: the root, and `joints` (all if empty); the others are as in the first
+/// example.
+Pose rawBlend(const StrikeSpace& space, const BlendWeights& weights, int frame,
+              std::span<const int> joints = {}) {
     const auto poseOf = [&](const ExampleWeight& w) -> const Pose& {
         return space.examples[static_cast<std::size_t>(w.example)]
             .poses[static_cast<std::size_t>(frame)];
@@ -273,16 +277,39 @@ Pose rawBlend(const StrikeSpace& space, const BlendWeights& weights, int frame) 
     double sum = weights.front().weight;
     for (std::size_t i = 1; i < weights.size(); ++i) {
         sum += weights[i].weight;
-        pose = blend(pose, poseOf(weights[i]), weights[i].weight / sum);
+        const Pose& next = poseOf(weights[i]);
+        const double share = weights[i].weight / sum;
+        if (joints.empty()) {
+            pose = blend(pose, next, share);
+            continue;
+        }
+        pose.root += share * (next.root - pose.root);
+        for (const int j : joints) {
+            Eigen::Quaterniond& turn = pose.turns[static_cast<std::size_t>(j)];
+            turn = turn.slerp(share, next.turns[static_cast<std::size_t>(j)]);
+        }
     }
     return pose;
+}
+
+/// The joints above one, with itself.
+std::vector<int> chainOf(const Rig& rig, int joint) {
+    std::vector<int> chain;
+    for (; joint >= 0; joint = rig.joint(joint).parent)
+        chain.push_back(joint);
+    return chain;
+}
+
+/// What brings a blend into the striker's frame.
+GroundTransform originOf(const StrikeSpace& space, const BlendWeights& weights) {
+    const std::vector<int> chain = chainOf(*space.rig, space.rig->roles[Role::Pelvis].value_or(0));
+    return toOrigin(*space.rig, rawBlend(space, weights, 0, chain));
 }
 
 }  // namespace
 
 Pose blendedPose(const StrikeSpace& space, const BlendWeights& weights, int frame) {
-    return moved(rawBlend(space, weights, frame),
-                 toOrigin(*space.rig, rawBlend(space, weights, 0)));
+    return moved(rawBlend(space, weights, frame), originOf(space, weights));
 }
 
 std::vector<double> blendedTimes(const StrikeSpace& space, const BlendWeights& weights) {
@@ -296,9 +323,11 @@ std::vector<double> blendedTimes(const StrikeSpace& space, const BlendWeights& w
 }
 
 Vector3d hitPoint(const StrikeSpace& space, const BlendWeights& weights) {
+    const int joint = *strikingJoint(*space.rig, space.striker);
     JointFrames frames;
-    jointFrames(*space.rig, blendedPose(space, weights, space.hit), frames);
-    return frames.positions[static_cast<std::size_t>(*strikingJoint(*space.rig, space.striker))];
+    jointFrames(*space.rig, rawBlend(space, weights, space.hit, chainOf(*space.rig, joint)),
+                frames);
+    return originOf(space, weights) * frames.positions[static_cast<std::size_t>(joint)];
 }
 
 BlendFit fitBlend(const StrikeSpace& space, const Vector3d& target, const Matrix3d& measure) {

@@ -34,6 +34,7 @@ struct Plan {
     std::array<Vector3d, 2> ankles{Vector3d(0.11, 0.08, 0.22), Vector3d(-0.12, 0.08, -0.18)};
     std::array<double, 2> footYaw{0.1, -0.5};
     std::array<double, 2> toesUp{0, 0};
+    std::array<double, 2> footFree{0, 0};  ///< 1: the foot goes with its shank, not with the floor
 };
 
 /// Left, right.
@@ -65,9 +66,10 @@ Pose poseOf(const Rig& rig, const Plan& plan) {
         reach(rig, pose, frames, *limbOf(rig, kAnkles[side]), plan.ankles[side]);
         jointFrames(rig, pose, frames);
         const auto shank = std::size_t(rig.joint(*rig.roles[kAnkles[side]]).parent);
-        turn(kAnkles[side]) = frames.turns[shank].conjugate() *
-                              about(Vector3d::UnitY(), plan.footYaw[side]) *
-                              about(Vector3d::UnitX(), -plan.toesUp[side]);
+        const Quaterniond flexed = about(Vector3d::UnitX(), -plan.toesUp[side]);
+        const Quaterniond onFloor =
+            frames.turns[shank].conjugate() * about(Vector3d::UnitY(), plan.footYaw[side]) * flexed;
+        turn(kAnkles[side]) = onFloor.slerp(plan.footFree[side], flexed);
     }
     return pose;
 }
@@ -144,7 +146,8 @@ Plan kickPlan(StrikeKind kind, const Aim& aim, double s, const Vector3d& ankle, 
     plan.lean -= s * 0.15;
     plan.footYaw = {0.1 + s * (side ? 0.9 : 0.5),
                     -0.5 + s * (0.5 + aim.azimuth + (side ? 0.9 : 0))};
-    plan.toesUp[1] = s * (side ? 0.3 : 0.9);
+    plan.toesUp[1] = s * (side ? 0.2 : -0.5);
+    plan.footFree[1] = s;
     const Vector3d start = plan.ankles[1], chamber = Vector3d(-0.10, 0.75, 0.22);
     plan.ankles[1] = (1 - s) * (1 - s) * start + 2 * s * (1 - s) * chamber + s * s * ankle;
     plan.wrists[0] += s * Vector3d(0.02, 0, -0.02);
