@@ -8,13 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Solid {
-    Role from;
-    Role to;
-    double radius;
-};
-
-constexpr Solid kSolids[] = {
+constexpr BodySolid kSolids[] = {
     {Role::Pelvis, Role::Chest, 0.12},
     {Role::Chest, Role::Neck, 0.11},
     {Role::Neck, Role::Head, 0.07},
@@ -53,10 +47,14 @@ double segmentDistance(const Capsule& p, const Capsule& q) {
 
 }  // namespace
 
+std::span<const BodySolid> bodySolids() {
+    return kSolids;
+}
+
 std::vector<Capsule> bodyCapsules(const RoleMap& roles, const JointPositions& positions,
                                   int frame) {
     std::vector<Capsule> capsules;
-    for (const Solid& solid : kSolids) {
+    for (const BodySolid& solid : kSolids) {
         if (!roles.has(solid.from) || !roles.has(solid.to)) continue;
         capsules.push_back({positions.at(frame, *roles[solid.from]).cast<double>(),
                             positions.at(frame, *roles[solid.to]).cast<double>(), solid.radius});
@@ -65,7 +63,7 @@ std::vector<Capsule> bodyCapsules(const RoleMap& roles, const JointPositions& po
     if (roles.has(Role::Neck) && roles.has(Role::Head)) {
         const Vector3d neck = positions.at(frame, *roles[Role::Neck]).cast<double>();
         const Vector3d head = positions.at(frame, *roles[Role::Head]).cast<double>();
-        capsules.push_back({head, head + (head - neck), 0.09});
+        capsules.push_back({head, head + (head - neck), kSkullRadius});
     }
     return capsules;
 }
