@@ -49,8 +49,8 @@ struct Times {
 
 Times alignedTimes(const Clip& reference, FrameRange range, const Clip& other,
                    FrameRange otherRange, const std::vector<int>& joints, int slopeLimit) {
-    const DistanceGrid grid =
-        distanceGrid(pointsOf(reference, range, joints), pointsOf(other, otherRange, joints));
+    const AlignmentGrid grid =
+        alignmentGrid(pointsOf(reference, range, joints), pointsOf(other, otherRange, joints));
     std::optional<TimeAlignment> alignment;
     for (int limit = slopeLimit; !alignment; ++limit)
         alignment = alignInTime(grid, limit);

@@ -39,13 +39,13 @@ double alignedDistance(const Centred& a, const Centred& b) {
 /// How a path came to a cell: the last step's direction and how many of them in a row. 0 is a
 /// diagonal step; 1 … L are (1, 0), L + 1 … 2 L are (0, 1).
 struct Search {
-    const DistanceGrid& grid;
+    const AlignmentGrid& grid;
     int limit;
     int states;
     std::vector<double> costs;       ///< rows × columns × states
     std::vector<std::uint8_t> from;  ///< the state before
 
-    Search(const DistanceGrid& g, int slopeLimit)
+    Search(const AlignmentGrid& g, int slopeLimit)
         : grid(g), limit(slopeLimit), states(1 + 2 * slopeLimit) {
         const std::size_t cells = static_cast<std::size_t>(g.rows) *
                                   static_cast<std::size_t>(g.columns) *
@@ -99,10 +99,10 @@ struct Search {
 
 }  // namespace
 
-DistanceGrid distanceGrid(std::span<const JointPoints> a, std::span<const JointPoints> b) {
+AlignmentGrid alignmentGrid(std::span<const JointPoints> a, std::span<const JointPoints> b) {
     const std::vector<Centred> first(a.begin(), a.end());
     const std::vector<Centred> second(b.begin(), b.end());
-    DistanceGrid grid{static_cast<int>(a.size()), static_cast<int>(b.size()), {}};
+    AlignmentGrid grid{static_cast<int>(a.size()), static_cast<int>(b.size()), {}};
     grid.values.reserve(a.size() * b.size());
     for (const Centred& row : first) {
         for (const Centred& column : second)
@@ -111,7 +111,7 @@ DistanceGrid distanceGrid(std::span<const JointPoints> a, std::span<const JointP
     return grid;
 }
 
-std::optional<TimeAlignment> alignInTime(const DistanceGrid& grid, int slopeLimit) {
+std::optional<TimeAlignment> alignInTime(const AlignmentGrid& grid, int slopeLimit) {
     if (grid.rows == 0 || grid.columns == 0 || slopeLimit < 1) return std::nullopt;
     Search search(grid, slopeLimit);
     search.costs[search.index(0, 0, 0)] = grid.at(0, 0);

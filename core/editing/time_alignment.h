@@ -13,7 +13,7 @@ using JointPoints = Eigen::Matrix3Xd;
 
 /// How unlike every frame of one motion is to every frame of another (paper C, Fig. 2): rows are
 /// the first motion's frames.
-struct DistanceGrid {
+struct AlignmentGrid {
     int rows = 0;
     int columns = 0;
     std::vector<double> values;
@@ -27,7 +27,7 @@ struct DistanceGrid {
 /// Cell (i, j) = least sum over the joints of |a − T b|², T a turn about y and a move on the ground
 /// (rigid alignment of single frames, Kovar & Gleicher 2004). Square metres. All frames have the
 /// same joints.
-DistanceGrid distanceGrid(std::span<const JointPoints> a, std::span<const JointPoints> b);
+AlignmentGrid alignmentGrid(std::span<const JointPoints> a, std::span<const JointPoints> b);
 
 /// A frame of the first motion and one of the second that belong together.
 struct FramePair {
@@ -45,7 +45,7 @@ struct TimeAlignment {
 /// `slopeLimit` steps (1, 0) in a row and at most as many (0, 1) (dynamic time warping, method C1);
 /// every step weighs 1. Of equal paths the more diagonal one. Nothing if the limit allows no path:
 /// one motion is more than slopeLimit + 1 times as long as the other.
-std::optional<TimeAlignment> alignInTime(const DistanceGrid& grid, int slopeLimit = 2);
+std::optional<TimeAlignment> alignInTime(const AlignmentGrid& grid, int slopeLimit = 2);
 
 /// For every frame of the first motion the moment of the second that belongs to it, in frames: the
 /// mean of the frames that the path pairs it with, smoothed by a running mean of `smoothing` frames

@@ -29,8 +29,8 @@ std::vector<JointPoints> framesOf(const nlohmann::json& frames) {
     return result;
 }
 
-DistanceGrid gridOf(const std::vector<double>& a, const std::vector<double>& b) {
-    DistanceGrid grid{static_cast<int>(a.size()), static_cast<int>(b.size()), {}};
+AlignmentGrid gridOf(const std::vector<double>& a, const std::vector<double>& b) {
+    AlignmentGrid grid{static_cast<int>(a.size()), static_cast<int>(b.size()), {}};
     for (const double x : a) {
         for (const double y : b)
             grid.values.push_back((x - y) * (x - y));
@@ -45,9 +45,9 @@ TEST_P(KnownAlignment, GridAndPath) {
     const auto known = test::knownAnswer(GetParam());
     const auto& input = known["input"];
     const auto& expected = known["expected"];
-    const DistanceGrid grid =
+    const AlignmentGrid grid =
         input["a"][0].is_array()
-            ? distanceGrid(framesOf(input["a"]), framesOf(input["b"]))
+            ? alignmentGrid(framesOf(input["a"]), framesOf(input["b"]))
             : gridOf(input["a"].get<std::vector<double>>(), input["b"].get<std::vector<double>>());
     for (int i = 0; i < grid.rows; ++i) {
         for (int j = 0; j < grid.columns; ++j) {
@@ -87,7 +87,7 @@ std::vector<JointPoints> cloud(int frames, double speed = 1, std::uint32_t seed 
 
 TEST(TimeAlignment, OfAMotionWithItselfIsTheIdentity) {
     const auto motion = cloud(40);
-    const auto found = alignInTime(distanceGrid(motion, motion));
+    const auto found = alignInTime(alignmentGrid(motion, motion));
     ASSERT_TRUE(found);
     EXPECT_NEAR(found->cost, 0, 1e-12);
     ASSERT_EQ(found->path.size(), 40u);
@@ -106,7 +106,7 @@ TEST(TimeAlignment, DoesNotSeePlaceAndHeading) {
         other[f] = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitY()).toRotationMatrix() * other[f];
         other[f].colwise() += Eigen::Vector3d(yaw, 0, 2 - yaw);
     }
-    const DistanceGrid grid = distanceGrid(motion, other);
+    const AlignmentGrid grid = alignmentGrid(motion, other);
     for (int f = 0; f < 20; ++f)
         EXPECT_NEAR(grid.at(f, f), 0, 1e-12);
     // A cell is what the shared alignment of points leaves over.
@@ -128,7 +128,7 @@ TEST(TimeAlignment, KeepsItsSlopeLimit) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> draw(0, 1);
     for (int limit = 1; limit <= 3; ++limit) {
-        DistanceGrid grid{30, 30 + 10 * limit, {}};
+        AlignmentGrid grid{30, 30 + 10 * limit, {}};
         for (int i = 0; i < grid.rows * grid.columns; ++i)
             grid.values.push_back(draw(random));
         const auto found = alignInTime(grid, limit);
@@ -150,17 +150,17 @@ TEST(TimeAlignment, KeepsItsSlopeLimit) {
 
 TEST(TimeAlignment, SaysWhereNoPathIs) {
     const auto longOne = cloud(40), shortOne = cloud(10);
-    EXPECT_FALSE(alignInTime(distanceGrid(shortOne, longOne), 2)) << "four times as long";
-    EXPECT_TRUE(alignInTime(distanceGrid(shortOne, longOne), 4));
-    EXPECT_FALSE(alignInTime(DistanceGrid{}, 2));
-    const auto one = alignInTime(distanceGrid(cloud(1), cloud(1)));
+    EXPECT_FALSE(alignInTime(alignmentGrid(shortOne, longOne), 2)) << "four times as long";
+    EXPECT_TRUE(alignInTime(alignmentGrid(shortOne, longOne), 4));
+    EXPECT_FALSE(alignInTime(AlignmentGrid{}, 2));
+    const auto one = alignInTime(alignmentGrid(cloud(1), cloud(1)));
     ASSERT_TRUE(one);
     EXPECT_EQ(matchingTimes(*one), std::vector<double>{0});
 }
 
 TEST(TimeAlignment, FindsTheTimesOfASlowerMotion) {
     const auto fast = cloud(40, 1.5), slow = cloud(60);
-    const auto found = alignInTime(distanceGrid(fast, slow));
+    const auto found = alignInTime(alignmentGrid(fast, slow));
     ASSERT_TRUE(found);
     const auto times = matchingTimes(*found);
     ASSERT_EQ(times.size(), 40u);
