@@ -5,20 +5,12 @@
 
 #include "core/base/error.h"
 #include "core/motion/feet.h"
+#include "core/motion/inertialise.h"
 
 namespace kumite {
 namespace {
 
 using Eigen::Vector3d;
-
-/// What is left of an offset with a speed, the quintic of inertialise.h; s in [0, 1].
-Vector3d left(const Vector3d& offset, const Vector3d& velocity, double seconds, double duration) {
-    if (seconds >= duration) return Vector3d::Zero();
-    const double s = seconds / duration;
-    const double cubed = s * s * s;
-    return (1.0 + cubed * (-10.0 + s * (15.0 - 6.0 * s))) * offset +
-           duration * (s + cubed * (-6.0 + s * (8.0 - 3.0 * s))) * velocity;
-}
 
 /// 1 at 0, 0 at 1 and beyond, level at both.
 double fading(double s) {
@@ -98,7 +90,7 @@ Vector3d FootLock::correctionOf(Foot& foot, std::size_t side, std::span<const Po
     foot.since += 1.0 / rate_;
     if (!started_ || standing[0][side] != foot.locked) change(foot, side, raw, ahead, standing);
 
-    Vector3d correction = left(foot.offset, foot.velocity, foot.since, settings_.ease);
+    Vector3d correction = decayed(foot.offset, foot.velocity, foot.since, settings_.ease);
     if (foot.locked) correction += levelled(foot.anchor - raw) - Vector3d(0, foot.sink, 0);
     const Vector3d level = levelled(correction);
     if (level.norm() > settings_.farthest) {

@@ -45,7 +45,23 @@ void limit(Vector3d& velocity, double duration, double overshoot) {
     if (speed > most) velocity *= most / speed;
 }
 
+/// Seconds within which an offset and its speed can go without more acceleration than `most`: the
+/// second derivatives of both terms peak at 5.774 x0 / T² and 3.941 v0 / T.
+double durationFor(double offset, double speed, double most) {
+    const double linear = 3.941 * speed;
+    return (linear + std::sqrt(linear * linear + 4 * most * 5.774 * offset)) / (2 * most);
+}
+
 }  // namespace
+
+Vector3d decayed(const Vector3d& x0, const Vector3d& v0, double seconds, double duration) {
+    if (seconds >= duration) return Vector3d::Zero();
+    const double s = std::max(0.0, seconds) / duration;
+    const double cubed = s * s * s;
+    const double ofOffset = 1.0 + cubed * (-10.0 + s * (15.0 - 6.0 * s));
+    const double ofVelocity = duration * (s + cubed * (-6.0 + s * (8.0 - 3.0 * s)));
+    return ofOffset * x0 + ofVelocity * v0;
+}
 
 PoseOffset offsetBetween(const Pose& shown, const Pose& other) {
     PoseOffset offset;
@@ -58,10 +74,12 @@ PoseOffset offsetBetween(const Pose& shown, const Pose& other) {
 
 Inertialisation::Inertialisation(const Pose& before, const Pose& shown, const Pose& next,
                                  const Pose& after, double dt, const JoinSettings& settings)
-    : offset_(offsetBetween(shown, next)), duration_(settings.duration) {
-    if (duration_ <= 0) return;
+    : offset_(offsetBetween(shown, next)),
+      rootDuration_(settings.duration),
+      longest_(settings.duration) {
+    if (rootDuration_ <= 0) return;
     velocity_.root = ((shown.root - before.root) - (after.root - next.root)) / dt;
-    limit(velocity_.root, duration_, settings.overshootRoot);
+    limit(velocity_.root, rootDuration_, settings.overshootRoot);
     velocity_.turns.reserve(shown.turns.size());
     for (std::size_t i = 0; i < shown.turns.size(); ++i) {
         const Vector3d ofShown = vectorOf(shown.turns[i] * before.turns[i].conjugate()) / dt;
@@ -69,31 +87,35 @@ Inertialisation::Inertialisation(const Pose& before, const Pose& shown, const Po
         // shown = e · next, so the offset e turns by what shown has beyond e · next.
         const Vector3d omega = ofShown - turnOf(offset_.turns[i]) * ofNext;
         Vector3d rate = vectorRate(offset_.turns[i], omega);
-        limit(rate, duration_, settings.overshootTurn);
+        double duration = settings.duration;
+        if (settings.turnAcceleration > 0) {
+            const double needed =
+                durationFor(offset_.turns[i].norm(), rate.norm(), settings.turnAcceleration);
+            duration = std::max(duration, std::min(needed, settings.longest));
+        }
+        limit(rate, duration, settings.overshootTurn);
         velocity_.turns.push_back(rate);
+        durations_.push_back(duration);
+        longest_ = std::max(longest_, duration);
     }
 }
 
 PoseOffset Inertialisation::at(double seconds) const {
-    PoseOffset left;
-    left.turns.assign(offset_.turns.size(), Vector3d::Zero());
-    if (over(seconds)) return left;
-    const double s = std::max(0.0, seconds) / duration_;
-    const double cubed = s * s * s;
-    const double ofOffset = 1.0 + cubed * (-10.0 + s * (15.0 - 6.0 * s));
-    const double ofVelocity = duration_ * (s + cubed * (-6.0 + s * (8.0 - 3.0 * s)));
-    left.root = ofOffset * offset_.root + ofVelocity * velocity_.root;
-    for (std::size_t i = 0; i < left.turns.size(); ++i)
-        left.turns[i] = ofOffset * offset_.turns[i] + ofVelocity * velocity_.turns[i];
-    return left;
+    PoseOffset rest;
+    rest.turns.assign(offset_.turns.size(), Vector3d::Zero());
+    if (over(seconds)) return rest;
+    rest.root = decayed(offset_.root, velocity_.root, seconds, rootDuration_);
+    for (std::size_t i = 0; i < rest.turns.size(); ++i)
+        rest.turns[i] = decayed(offset_.turns[i], velocity_.turns[i], seconds, durations_[i]);
+    return rest;
 }
 
 void Inertialisation::apply(Pose& pose, double seconds) const {
     if (over(seconds)) return;
-    const PoseOffset left = at(seconds);
-    pose.root += left.root;
+    const PoseOffset rest = at(seconds);
+    pose.root += rest.root;
     for (std::size_t i = 0; i < pose.turns.size(); ++i)
-        pose.turns[i] = (turnOf(left.turns[i]) * pose.turns[i]).normalized();
+        pose.turns[i] = (turnOf(rest.turns[i]) * pose.turns[i]).normalized();
 }
 
 Clip joined(const Clip& first, const Clip& second, const JoinSettings& settings) {

@@ -14,6 +14,13 @@ struct PoseOffset {
 /// What `shown` is ahead of `other`, the short way round.
 PoseOffset offsetBetween(const Pose& shown, const Pose& other);
 
+/// What is left of an offset `x0` with the speed `v0` (per second) t seconds after the join, with
+/// T = duration and s = t / T:
+///     x(t) = x0 (1 − 10 s³ + 15 s⁴ − 6 s⁵) + v0 T (s − 6 s³ + 8 s⁴ − 3 s⁵)
+/// Position and speed are continuous at t = 0; position, speed and acceleration are 0 at T.
+Eigen::Vector3d decayed(const Eigen::Vector3d& x0, const Eigen::Vector3d& v0, double seconds,
+                        double duration);
+
 /// How a join is made.
 struct JoinSettings {
     double duration = 0.2;  ///< seconds until the following motion is on its own
@@ -21,16 +28,18 @@ struct JoinSettings {
     /// that stops dead would else swing on.
     double overshootTurn = 0.25;
     double overshootRoot = 0.05;
+    /// What letting go may add to a joint's acceleration, rad/s², such as the 99th percentile
+    /// inside recorded actions; 0: anything. A joint that would need more takes longer than
+    /// `duration`, but not longer than `longest`.
+    double turnAcceleration = 0;
+    double longest = 0.5;  ///< seconds
 
     bool operator==(const JoinSettings&) const = default;
 };
 
 /// A join that is smooth from the first frame on (inertialised: Bollo, GDC 2018): the following
-/// motion is shown with the offset that the shown one had at the join, which decays to nothing.
-/// With T = duration and s = t / T
-///     x(t) = x0 (1 − 10 s³ + 15 s⁴ − 6 s⁵) + v0 T (s − 6 s³ + 8 s⁴ − 3 s⁵)
-/// per component: position and speed are continuous at t = 0; position, speed and acceleration of
-/// the offset are 0 at T.
+/// motion is shown with the offset that the shown one had at the join, which decays to nothing
+/// (`decayed`, each component by itself, each joint within its own time).
 class Inertialisation {
 public:
     Inertialisation() = default;
@@ -41,14 +50,16 @@ public:
 
     /// Adds what is left of the offset `seconds` after the join.
     void apply(Pose& pose, double seconds) const;
-    bool over(double seconds) const { return seconds >= duration_; }
+    bool over(double seconds) const { return seconds >= longest_; }
     /// The offset itself, `seconds` after the join.
     PoseOffset at(double seconds) const;
 
 private:
     PoseOffset offset_;
     PoseOffset velocity_;
-    double duration_ = 0;
+    double rootDuration_ = 0;
+    std::vector<double> durations_;  ///< per joint, seconds
+    double longest_ = 0;             ///< of all of them
 };
 
 /// `second` after `first`, which have one rig and rate: the last frame of `first` and the first of

@@ -99,6 +99,34 @@ TEST(Inertialisation, DoesNotSwingFarBeyondBothMotions) {
     EXPECT_NEAR(root, 0.05, 1e-3);
 }
 
+TEST(Inertialisation, TakesLongerWhereItWouldBeTooSudden) {
+    // 1 rad at rest within 0.2 s would peak at 5.774 / 0.04 = 144 rad/s²; 60 take 0.31 s.
+    const auto peakOf = [](const Inertialisation& join) {
+        double peak = 0;
+        constexpr double dt = 1e-3;
+        for (double t = dt; t < 0.6; t += dt) {
+            const Vector3d bend =
+                join.at(t + dt).turns[0] - 2 * join.at(t).turns[0] + join.at(t - dt).turns[0];
+            peak = std::max(peak, bend.norm() / (dt * dt));
+        }
+        return peak;
+    };
+    const Pose shown = poseOf(0.02, 1), next = poseOf(0, 0);
+    EXPECT_NEAR(peakOf({shown, shown, next, next, 0.01}), 144.3, 1);
+    const Inertialisation slow(shown, shown, next, next, 0.01, {.turnAcceleration = 60});
+    EXPECT_NEAR(peakOf(slow), 60, 0.5);
+    EXPECT_FALSE(slow.over(0.3));
+    EXPECT_TRUE(slow.over(0.32));
+    EXPECT_EQ(slow.at(0.25).root.norm(), 0);
+    // With a speed beside the offset it stays below, too; never beyond the longest.
+    const Inertialisation moving(poseOf(0, 0.97), shown, next, next, 0.01,
+                                 {.overshootTurn = 9, .turnAcceleration = 80, .longest = 2});
+    EXPECT_LT(peakOf(moving), 80);
+    const Inertialisation cut(shown, shown, next, next, 0.01, {.turnAcceleration = 1});
+    EXPECT_TRUE(cut.over(0.5));
+    EXPECT_FALSE(cut.over(0.49));
+}
+
 TEST(Inertialisation, GoesTheShortWayRound) {
     const Inertialisation join(poseOf(0, 3), poseOf(0, 3), poseOf(0, -3), poseOf(0, -3), 0.01,
                                {.duration = 1});
