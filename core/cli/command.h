@@ -35,6 +35,7 @@ public:
 using Action = std::function<void(const Streams&)>;
 
 // One per subcommand: adds it to the parser; `action` is set when it was chosen.
+void addClusters(CLI::App& app, Action& action);
 void addDemo(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
 void addJoints(CLI::App& app, Action& action);
@@ -47,6 +48,8 @@ void addExport(CLI::App& app, Action& action);
 void addLabel(CLI::App& app, Action& action);
 void addLabels(CLI::App& app, Action& action);
 void addRelink(CLI::App& app, Action& action);
+void addSequence(CLI::App& app, Action& action);
+void addTransition(CLI::App& app, Action& action);
 void addVersions(CLI::App& app, Action& action);
 void addWhy(CLI::App& app, Action& action);
 

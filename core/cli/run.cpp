@@ -36,6 +36,9 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addLabels(app, action);
     addModel(app, action);
     addWhy(app, action);
+    addClusters(app, action);
+    addTransition(app, action);
+    addSequence(app, action);
     addRelink(app, action);
     addVersions(app, action);
 
