@@ -21,12 +21,14 @@
 
 #include "core/base/files.h"
 #include "core/base/text.h"
-#include "core/editing/critical_joint.h"
+#include "core/editing/assembly.h"
 #include "core/editing/hit_region.h"
-#include "core/editing/retrieval.h"
 #include "core/formats/recording.h"
 #include "core/motion/survey.h"
 #include "core/project/film_strip.h"
+#include "core/project/library.h"
+#include "core/quality/body_quality.h"
+#include "core/quality/joint_motion.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/made_strikes.h"
 
@@ -351,6 +353,109 @@ void retrieval() {
     }
 }
 
+// ---- assembly ------------------------------------------------------------------------------
+
+std::shared_ptr<const MotionLibrary> realLibrary() {
+    const auto data = test::dataFolder();
+    if (!data)
+        throw Error("There are no recordings: set KUMITE_DATA to the folder that holds them.");
+    return std::make_shared<const MotionLibrary>(
+        loadLibrary({*data / "cmu_karate/martial_03.bvh", *data / "cmu_karate/martial_04.bvh",
+                     *data / "cmu_karate/martial_06.bvh", *data / "cmu_moves",
+                     *data / "awkward/Boxing_Toes.bvh", *data / "cmu_salsa/60_01.bvh",
+                     *data / "awkward/walk_left_45_UPPERCASE_channels.bvh"},
+                    {60})
+            .library);
+}
+
+/// The library without one of its motions, so that keys from it must be answered by others.
+KeyLibrary withoutMotion(const MotionLibrary& all, std::size_t motion) {
+    auto rest = std::make_shared<MotionLibrary>(all);
+    rest->motions.erase(rest->motions.begin() + static_cast<std::ptrdiff_t>(motion));
+    rest->actions.clear();
+    return keyLibrary(rest);
+}
+
+KeyTrack keysOf(const LibraryMotion& motion, int begin, int apart, int count = 5) {
+    KeyTrack track;
+    track.rig = motion.clip.rig;
+    track.rate = motion.clip.rate;
+    for (int k = 0; k < count; ++k) {
+        const Pose& pose = motion.clip.frames[static_cast<std::size_t>(begin + k * apart)];
+        track = withKey(std::move(track), {k * apart, pose, Easing::Smooth});
+    }
+    return track;
+}
+
+struct Judgement {
+    Spread mean, deviation, skate, acceleration;
+};
+
+void judge(const Assembly& made, bool adjusted, Judgement& sum) {
+    constexpr double kDegrees = 180 / std::numbers::pi;
+    for (const AdjustedJunction& junction : made.junctions) {
+        const AngleStatistics& got =
+            adjusted ? junction.values.assembled : junction.values.retrieved;
+        sum.mean.add(kDegrees * (got.mean - junction.values.query.mean).norm());
+        sum.deviation.add(kDegrees * (got.deviation - junction.values.query.deviation).norm());
+    }
+    sum.skate.add(footSkateOf(measuredBody(made.clip, 0)).value_or(0));
+    sum.acceleration.add(barOf(measureJoins(made.clip, {}).inside).acceleration);
+}
+
+void assemblies() {
+    const auto library = realLibrary();
+    Judgement own, direct, adjusted;
+    Spread mismatches, distance, planning, assembling;
+    int replaced = 0, cases = 0;
+    for (std::size_t m = 0; m < library->motions.size(); ++m) {
+        const LibraryMotion& motion = library->motions[m];
+        const KeyLibrary rest = withoutMotion(*library, m);
+        for (const int apart : {10, 20}) {
+            for (int part = 0; part < 4; ++part) {
+                const int begin = (motion.clip.frameCount() - 4 * apart - 1) * part / 4;
+                if (begin < 0) continue;
+                const KeyTrack track = keysOf(motion, begin, apart);
+                AssemblyPlan plan;
+                planning.add(timed([&] { plan = planAssembly(rest, track); }));
+                AssemblySettings settings;
+                settings.adjusted = false;
+                Assembly made;
+                assembling.add(timed([&] { made = assemble(rest, track, plan, settings); }));
+                judge(made, false, direct);
+                judge(assemble(rest, track, plan), true, adjusted);
+                Clip source = motion.clip;
+                source.frames.assign(motion.clip.frames.begin() + begin,
+                                     motion.clip.frames.begin() + begin + 4 * apart + 1);
+                own.skate.add(footSkateOf(measuredBody(source, 0)).value_or(0));
+                own.acceleration.add(barOf(measureJoins(source, {}).inside).acceleration);
+                mismatches.add(plan.body.match.mismatches);
+                distance.add(plan.body.distance);
+                for (const auto& each : plan.parts)
+                    replaced += each.has_value();
+                ++cases;
+            }
+        }
+    }
+    std::cout << fmt::format(
+        "{} sets of five keys out of {} recordings, answered by the other recordings\n"
+        "whole body: {:.1f} of 90 features differ, poses {:.1f} cm apart; {:.1f} of 5 parts come "
+        "from elsewhere\n"
+        "planning {:.1f} ms, assembling {:.1f} ms\n\n",
+        cases, library->motions.size(), mismatches.sum / cases, 100 * distance.sum / cases,
+        double(replaced) / cases, 1000 * planning.sum / cases, 1000 * assembling.sum / cases);
+    std::cout << fmt::format("{:<12} {:>18} {:>18} {:>14} {:>22}\n", "", "junction mean °",
+                             "deviation °", "foot skate", "acceleration p99 rad/s²");
+    const auto line = [](const char* name, const Judgement& j) {
+        std::cout << fmt::format("{:<12} {:>18} {:>18} {:>14.3f} {:>22.0f}\n", name, j.mean.text(1),
+                                 j.deviation.text(1), j.skate.sum / j.skate.count,
+                                 j.acceleration.sum / j.acceleration.count);
+    };
+    line("recording", own);
+    line("direct", direct);
+    line("adjusted", adjusted);
+}
+
 // ---- film strips ---------------------------------------------------------------------------
 
 void write(const std::filesystem::path& file, const std::string& title,
@@ -403,6 +508,42 @@ void strips(const std::filesystem::path& folder) {
             name.begin(), name.end(), [](char c) { return c == ' ' || c == ':'; }, '_');
         write(folder / ("hit_" + name + ".svg"), set.name, rows);
     }
+    const auto library = realLibrary();
+    for (const auto& [name, begin, apart] :
+         {std::tuple("Boxing_Toes", 300, 10), std::tuple("walk_left_45_UPPERCASE_channels", 20, 20),
+          std::tuple("martial_04", 200, 15)}) {
+        for (std::size_t m = 0; m < library->motions.size(); ++m) {
+            const LibraryMotion& motion = library->motions[m];
+            if (motion.name != name) continue;
+            const KeyLibrary rest = withoutMotion(*library, m);
+            const KeyTrack track = keysOf(motion, begin, apart);
+            const AssemblyPlan plan = planAssembly(rest, track);
+            AssemblyPlan whole = plan;
+            for (auto& part : whole.parts)
+                part.reset();
+            AssemblySettings settings;
+            const Clip query = clipOf(track);
+            const Clip retrieved = assemble(rest, track, whole, settings).clip;
+            const Clip adjusted = assemble(rest, track, plan, settings).clip;
+            settings.meetKeys = 1;
+            const Clip met = assemble(rest, track, plan, settings).clip;
+            settings.meetKeys = 0;
+            settings.adjusted = false;
+            const Clip direct = assemble(rest, track, plan, settings).clip;
+            std::string from = rest.motion(plan.body.match.clip).name;
+            for (const BodyPart part : allParts()) {
+                const auto& own = plan.parts[static_cast<std::size_t>(part)];
+                if (own)
+                    from +=
+                        fmt::format(", {} {}", partName(part), rest.motion(own->match.clip).name);
+            }
+            write(folder / (std::string("keys_") + name + ".svg"),
+                  fmt::format("five keys of {}: {}", name, from),
+                  {rowOf(query, "query", 9), rowOf(retrieved, "retrieved", 9),
+                   rowOf(direct, "assembled, direct", 9), rowOf(adjusted, "assembled, adjusted", 9),
+                   rowOf(met, "adjusted, drawn to the keys", 9)});
+        }
+    }
 }
 
 }  // namespace
@@ -420,11 +561,13 @@ int main(int count, char** words) {
             live();
         } else if (what == "retrieval") {
             retrieval();
+        } else if (what == "assembly") {
+            assemblies();
         } else if (what == "strips" && count > 2) {
             strips(words[2]);
         } else {
             std::cerr << "kumite-editing-figures hit | curves DIR | coverage | live | retrieval | "
-                         "strips DIR\n";
+                         "assembly | strips DIR\n";
             return 2;
         }
     } catch (const std::exception& error) {
