@@ -39,6 +39,8 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addClusters(app, action);
     addTransition(app, action);
     addSequence(app, action);
+    addHit(app, action);
+    addKeyframes(app, action);
     addRelink(app, action);
     addVersions(app, action);
 

@@ -22,7 +22,8 @@ void addSequence(CLI::App& app, Action& action) {
     command->add_option("--out", o->out, "the .bvh to write")->required();
     command->add_flag("--json", o->json, "one JSON object on standard output");
     command->footer(std::string(kClipNames) +
-                    "\nExample: kumite sequence bout.kumite --play round1:1:3 round1:2:7 "
+                    " NAME@x,y,z is a strike made to hit that\ntarget (see kumite "
+                    "hit).\nExample: kumite sequence bout.kumite --play round1:1:3 round1:2:7 "
                     "round1:1:12 --out x.bvh");
     command->callback([o, &action] {
         action = [o](const Streams& streams) {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/editing/hit.h"
+
+namespace kumite {
+
+/// The box of targets that partial blending reaches (paper C, Fig. 3): the samples' box, every face
+/// moved outward in steps of `step` metres, at most `most`, as long as more than half of nine
+/// probes on it hit within the tolerance.
+Box extendedBox(const StrikeSpace& space, const HitSettings& settings = {}, double step = 0.05,
+                double most = 0.3, const Progress& progress = {});
+
+/// How much of a box is hit within the tolerance: by blends of whole examples (the natural region)
+/// and with partial blending (the extended one), counted in cubes of `cube` metres.
+struct Coverage {
+    int cubes = 0;     ///< in the box
+    int natural = 0;   ///< cubes whose middle a whole blend hits
+    int extended = 0;  ///< cubes whose middle either way hits
+    double cube = 0;   ///< metres
+
+    double naturalVolume() const { return natural * cube * cube * cube; }    ///< m³
+    double extendedVolume() const { return extended * cube * cube * cube; }  ///< m³
+};
+/// On all cores. Cancellable.
+Coverage coverageOf(const StrikeSpace& space, const Box& box, double cube,
+                    const HitSettings& settings = {}, const Progress& progress = {});
+
+}  // namespace kumite
