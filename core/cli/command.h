@@ -36,6 +36,7 @@ using Action = std::function<void(const Streams&)>;
 
 // One per subcommand: adds it to the parser; `action` is set when it was chosen.
 void addClusters(CLI::App& app, Action& action);
+void addBout(CLI::App& app, Action& action);
 void addDemo(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
 void addJoints(CLI::App& app, Action& action);
