@@ -1,10 +1,7 @@
 #include "studio/view3d/stage.h"
 
-#include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkRenderer.h>
-
-#include <numbers>
 
 namespace kumite::studio {
 
@@ -47,15 +44,7 @@ void Stage::setColours(const Colours& colours, int active) {
 }
 
 void Stage::setCamera(const CameraController& camera) {
-    vtkCamera* vtk = renderer_->GetActiveCamera();
-    const Eigen::Vector3d position = camera.position();
-    const Eigen::Vector3d target = camera.target();
-    const Eigen::Vector3d up = camera.up();
-    vtk->SetPosition(position.x(), position.y(), position.z());
-    vtk->SetFocalPoint(target.x(), target.y(), target.z());
-    vtk->SetViewUp(up.x(), up.y(), up.z());
-    vtk->SetViewAngle(CameraController::kFieldOfView * 180 / std::numbers::pi);
-    vtk->SetClippingRange(0.02 * camera.distance(), camera.distance() + 2 * floor_.radius() + 20);
+    aim(*renderer_, camera, 0.02 * camera.distance(), camera.distance() + 2 * floor_.radius() + 20);
 }
 
 void Stage::addGhost(int player, const std::vector<Bone>& bones,

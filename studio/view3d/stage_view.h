@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "studio/view3d/camera_hand.h"
 #include "studio/view3d/measuring.h"
 #include "studio/view3d/overlays.h"
 
@@ -84,7 +85,7 @@ public:
     void setTools(QWidget* tools);
 
     /// How fast a drag turns and the wheel zooms; 1 as usual.
-    void setMouseSpeed(double speed) { mouseSpeed_ = speed; }
+    void setMouseSpeed(double speed) { hand_.setSpeed(speed); }
 
 Q_SIGNALS:
     /// Overlays, ghosts, follow or the measuring tool changed.
@@ -132,10 +133,7 @@ private:
     bool following_ = false;
     std::optional<Eigen::Vector3d> followed_;  ///< what the camera followed last
     QWidget* tools_ = nullptr;
-    QPointF lastPointer_;
-    QPointF pressed_;
-    bool dragged_ = false;
-    double mouseSpeed_ = 1;
+    CameraHand hand_;
     QString measuringHint_;
     QString told_;  ///< of what is measured
 };

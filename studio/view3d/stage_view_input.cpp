@@ -4,8 +4,6 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include <cmath>
-
 #include "studio/app/session.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_scene.h"
@@ -63,31 +61,19 @@ void StageView::hoverAt(const QPointF& position) {
 }
 
 void StageView::mousePressEvent(QMouseEvent* event) {
-    pressed_ = lastPointer_ = event->position();
-    dragged_ = false;
+    hand_.press(*event);
 }
 
 void StageView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         if (isMeasuring()) hoverAt(event->position());
-        return;
+    } else if (hand_.drag(*event, scene_->camera, viewport())) {
+        applyCamera();
     }
-    const QPointF moved = event->position() - lastPointer_;
-    if ((event->position() - pressed_).manhattanLength() > 3) dragged_ = true;
-    if (!dragged_) return;
-    lastPointer_ = event->position();
-    const bool pan =
-        (event->buttons() & Qt::MiddleButton) || (event->modifiers() & Qt::ShiftModifier);
-    if (pan) {
-        scene_->camera.pan(moved.x(), moved.y(), viewport());
-    } else {
-        scene_->camera.orbit(mouseSpeed_ * moved.x(), mouseSpeed_ * moved.y(), viewport());
-    }
-    applyCamera();
 }
 
 void StageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (dragged_) return;
+    if (hand_.isDragging()) return;
     const bool menu = event->button() == Qt::RightButton;
     if (event->button() == Qt::LeftButton && isMeasuring()) {
         scene_->measuring.click(jointUnder(event->position()));
@@ -112,10 +98,8 @@ void StageView::leaveEvent(QEvent*) {
 }
 
 void StageView::wheelEvent(QWheelEvent* event) {
-    const double factor = std::pow(1.0015, mouseSpeed_ * event->angleDelta().y());
-    scene_->camera.zoomAbout(event->position().x(), event->position().y(), factor, viewport());
+    hand_.zoom(*event, scene_->camera, viewport());
     applyCamera();
-    event->accept();
 }
 
 std::optional<int> StageView::fighterAt(const QPointF& position) const {

@@ -338,11 +338,7 @@ TEST_F(GraphTest, SurpriseLeadsToTheOddMoment) {
     EXPECT_TRUE(odd.own == half || odd.next == half) << odd.own << " " << odd.next;
     for (const int mover : {0, 1}) {
         for (const Surprise& each : graph().values()->surprises[std::size_t(mover)]) {
-            EXPECT_LE(each.total,
-                      graph()
-                          .values()
-                          ->surprises[std::size_t(worst.mover)][std::size_t(worst.index)]
-                          .total);
+            EXPECT_LE(each.both, graph().surpriseOf(worst).both);
         }
     }
     EXPECT_NEAR(session().transport().playhead(), graph().placeOf(worst).seconds, 1e-9);
