@@ -73,7 +73,11 @@ TEST(Surprise, AWrongLabelStandsOutSeenTheMotion) {
             if (i == wrong) continue;
             EXPECT_LT(all[i].both, all[wrong].both) << i;
         }
-        EXPECT_GT(all[wrong].both, uniformSurprise(model));
+        // H and the axes of FULL saw the sample, which hides a part of it; those of DIAGONAL do not
+        // turn.
+        if (kind == CovarianceKind::Diagonal) {
+            EXPECT_GT(all[wrong].both, 10 * uniformSurprise(model));
+        }
         // The label term cannot know: labels follow each other at random.
         EXPECT_LT(all[wrong].label, 2 * std::log(3));
         const std::vector<Surprise> right = surprises(learnt(kind, false));
