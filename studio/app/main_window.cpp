@@ -77,8 +77,11 @@ MainWindow::MainWindow(QWidget* parent)
     addEditCommands();
     addTakeCommands();
     addWorkspaces();
-    addPlaybackCommands();
-    addTimelineCommands();
+    // The Bout workspace has a clock of its own.
+    commands_->addFor(QStringLiteral("segment label graph"), [this] {
+        addPlaybackCommands();
+        addTimelineCommands();
+    });
     addViewCommands();
     addCommandWords(*commands_);
     loadKeys(*commands_);
@@ -212,7 +215,8 @@ void MainWindow::listen() {
 
 bool MainWindow::isBusy() const {
     return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
-           (labels_->isActive() && labels_->isLearning()) || graph_->isLearning();
+           (labels_->isActive() && labels_->isLearning()) || graph_->isLearning() ||
+           bout_->isPreparing();
 }
 
 void MainWindow::shareSpace() {

@@ -67,6 +67,7 @@ void StageView::mousePressEvent(QMouseEvent* event) {
 void StageView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         if (isMeasuring()) hoverAt(event->position());
+        if (pointsAtFloor_) Q_EMIT floorHovered(floorAt(event->position()));
     } else if (hand_.drag(*event, scene_->camera, viewport())) {
         applyCamera();
     }
@@ -80,7 +81,12 @@ void StageView::mouseReleaseEvent(QMouseEvent* event) {
         showLabels();
     } else if (event->button() == Qt::LeftButton || menu) {
         const auto player = fighterAt(event->position());
-        if (player) session_.setActivePlayer(*player);
+        const auto floor = pointsAtFloor_ && !menu ? floorAt(event->position()) : std::nullopt;
+        if (floor) {
+            Q_EMIT floorClicked(*floor);
+        } else if (player) {
+            session_.setActivePlayer(*player);
+        }
         if (menu) Q_EMIT menuWanted(player, event->globalPosition().toPoint());
     }
 }
@@ -92,6 +98,7 @@ void StageView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void StageView::leaveEvent(QEvent*) {
+    if (pointsAtFloor_) Q_EMIT floorHovered(std::nullopt);
     if (!scene_->measuring.hovered) return;
     scene_->measuring.hovered.reset();
     showLabels();
@@ -100,6 +107,15 @@ void StageView::leaveEvent(QEvent*) {
 void StageView::wheelEvent(QWheelEvent* event) {
     hand_.zoom(*event, scene_->camera, viewport());
     applyCamera();
+}
+
+std::optional<Eigen::Vector2d> StageView::floorAt(const QPointF& position) const {
+    constexpr double kFarthest = 15;  // metres from what is looked at
+    const Ray ray = scene_->camera.rayThrough(position.x(), position.y(), viewport());
+    if (ray.direction.y() > -1e-3) return std::nullopt;
+    const Eigen::Vector3d at = ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
+    if ((at - scene_->camera.target()).norm() > kFarthest) return std::nullopt;
+    return Eigen::Vector2d(at.x(), at.z());
 }
 
 std::optional<int> StageView::fighterAt(const QPointF& position) const {
