@@ -8,8 +8,8 @@
 #include "core/base/parallel.h"
 #include "core/demo/plan_truth.h"
 #include "core/demo/suit.h"
-#include "core/demo/two_bone.h"
 #include "core/motion/euler.h"
+#include "core/motion/two_bone.h"
 
 namespace kumite::demo {
 namespace {

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/demo/limbs.h"
-#include "core/demo/two_bone.h"
+#include "core/motion/two_bone.h"
 
 namespace kumite::demo {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/demo/two_bone.h"
+#include "core/motion/two_bone.h"
 
 namespace kumite::demo {
 namespace {

@@ -39,16 +39,12 @@ std::vector<int> chainTo(const Skeleton& skeleton, int joint) {
 
 }  // namespace
 
-Eigen::Vector3d restForward(const Skeleton& skeleton, const RoleMap& roles,
-                            const SpaceConvention& space) {
-    const Eigen::Matrix3d axes = worldAxes(space);
-    const Eigen::Vector3d fallback = axes.transpose() * Eigen::Vector3d::UnitZ();
+Eigen::Vector3d restForward(const std::vector<Eigen::Vector3d>& rest, const RoleMap& roles) {
     const auto left = roles[Role::LeftHip];
     const auto right = roles[Role::RightHip];
-    if (!left || !right || *left == *right) return fallback;
-    const auto rest = skeleton.restPositions();
-    const auto at = [&](int joint) -> Eigen::Vector3d {
-        return axes * rest[static_cast<std::size_t>(joint)];
+    if (!left || !right || *left == *right) return Eigen::Vector3d::UnitZ();
+    const auto at = [&](int joint) -> const Eigen::Vector3d& {
+        return rest[static_cast<std::size_t>(joint)];
     };
     Eigen::Vector3d up = Eigen::Vector3d::UnitY();
     if (const auto neck = roles[Role::Neck]) {
@@ -56,7 +52,16 @@ Eigen::Vector3d restForward(const Skeleton& skeleton, const RoleMap& roles,
         if (trunk.norm() > 0) up = nearestAxis(trunk);
     }
     const Eigen::Vector3d forward = (at(*left) - at(*right)).cross(up);
-    return forward.norm() > 0 ? Eigen::Vector3d(axes.transpose() * forward.normalized()) : fallback;
+    return forward.norm() > 0 ? forward.normalized() : Eigen::Vector3d::UnitZ();
+}
+
+Eigen::Vector3d restForward(const Skeleton& skeleton, const RoleMap& roles,
+                            const SpaceConvention& space) {
+    const Eigen::Matrix3d axes = worldAxes(space);
+    std::vector<Eigen::Vector3d> rest = skeleton.restPositions();
+    for (Eigen::Vector3d& position : rest)
+        position = axes * position;
+    return axes.transpose() * restForward(rest, roles);
 }
 
 std::vector<double> headings(const Motion& motion, FrameRange frames, const SpaceConvention& space,

@@ -13,6 +13,9 @@ namespace kumite {
 Eigen::Vector3d restForward(const Skeleton& skeleton, const RoleMap& roles,
                             const SpaceConvention& space);
 
+/// The same from joint positions at rest, in the axes and with the up (y) of those.
+Eigen::Vector3d restForward(const std::vector<Eigen::Vector3d>& rest, const RoleMap& roles);
+
 /// Heading (yaw) at each of `frames`: the horizontal part of the pelvis' rotation applied to the
 /// rest pose's forward direction, atan2(x, z), 0 facing +z, radians, in the file's space: a
 /// fighter's placement adds its own yaw. Interpolated where that direction is nearly vertical,
