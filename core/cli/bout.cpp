@@ -11,6 +11,7 @@
 #include "core/formats/bvh.h"
 #include "core/project/bout.h"
 #include "core/project/kept_bout.h"
+#include "core/synthesis/bout_quality.h"
 
 namespace kumite::cli {
 namespace {
@@ -80,6 +81,43 @@ Prepared prepare(const OpenProject& open, const Options& o, const Streams& strea
     return prepared;
 }
 
+struct Timing {
+    double microseconds = 0;  ///< a frame, both fighters
+    double choiceP50 = 0;     ///< milliseconds of frames in which somebody chose
+    double choiceP99 = 0;
+};
+
+Timing fight(BoutTape& tape, int frames, const Progress& progress) {
+    Timing timing;
+    std::vector<float> choosing;
+    double sum = 0;
+    for (int i = 0; i < frames; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        tape.advance(1);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        sum += took.count();
+        if (!tape.now().newChoices().empty())
+            choosing.push_back(static_cast<float>(1e3 * took.count()));
+        if (i % 60 == 0) progress.update(static_cast<double>(i) / frames);
+    }
+    progress.update(1);
+    timing.microseconds = frames > 0 ? std::round(1e7 * sum / frames) / 10 : 0;
+    timing.choiceP50 = percentile(choosing, 0.5);
+    timing.choiceP99 = percentile(choosing, 0.99);
+    return timing;
+}
+
+void printQuality(const Json& bout, const Json& recording, const Streams& streams) {
+    streams.out << fmt::format("{:30}{:>10}{:>12}\n", "", "bout", "recording");
+    const auto text = [](const Json& value) {
+        return value.is_number() ? fixed(value.get<double>(), 3) : std::string("-");
+    };
+    for (const auto& [name, value] : bout.items()) {
+        if (value.is_object()) continue;
+        streams.out << fmt::format("{:30}{:>10}{:>12}\n", name, text(value), text(recording[name]));
+    }
+}
+
 void runBout(const Options& o, const Streams& streams) {
     if (!modeFromName(o.mode)) throw UsageError("--mode is auto, avatar or passive.");
     const bool passive = o.mode == "passive";
@@ -98,15 +136,7 @@ void runBout(const Options& o, const Streams& streams) {
     }
     BoutTape tape(prepared.library, prepared.settings, std::move(script));
     const int frames = static_cast<int>(std::lround(o.seconds * prepared.library->rate));
-    const Progress progress = streams.progress("fighting");
-    const auto start = std::chrono::steady_clock::now();
-    for (int done = 0; done < frames; done += 60) {
-        tape.advance(std::min(60, frames - done));
-        progress.update(static_cast<double>(done) / frames);
-    }
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    progress.update(1);
+    const Timing timing = fight(tape, frames, streams.progress("fighting"));
 
     const std::array<Motion, 2> motions = boutMotions(open.project, tape);
     for (const std::size_t p : {0, 1}) {
@@ -115,18 +145,23 @@ void runBout(const Options& o, const Streams& streams) {
     }
     writeFileAtomically(folder / "log.json", boutLog(tape));
 
-    const double microseconds = frames > 0 ? 1e6 * seconds / frames : 0;
+    const RecordingQuality recording = recordingQuality(*prepared.library);
+    const Quality quality = boutQuality(tape, recording.bar, streams.progress("judging"));
     if (o.json) {
         const Json json = {{"frames", tape.end() + 1},
                            {"rate", prepared.library->rate},
                            {"choices", tape.choices().size()},
-                           {"us_per_frame", std::round(10 * microseconds) / 10}};
+                           {"us_per_frame", timing.microseconds},
+                           {"choice_ms", {{"p50", timing.choiceP50}, {"p99", timing.choiceP99}}},
+                           {"quality", qualityJson(quality)},
+                           {"recording_quality", qualityJson(recording.quality)}};
         streams.out << json.dump(1) << "\n";
         return;
     }
     streams.out << fmt::format("{} frames at {} Hz, {} choices, {:.0f} us a frame\n{}\n",
                                tape.end() + 1, shortest(prepared.library->rate),
-                               tape.choices().size(), microseconds, folder.string());
+                               tape.choices().size(), timing.microseconds, folder.string());
+    printQuality(qualityJson(quality), qualityJson(recording.quality), streams);
 }
 
 }  // namespace

@@ -103,8 +103,8 @@ std::optional<Limb> limbOf(const Rig& rig, Role end) {
     }
 }
 
-double reach(const Rig& rig, Pose& pose, const JointFrames& frames, const Limb& limb,
-             const Vector3d& target, EndTurn endTurn, const Stretch& stretch) {
+Vector3d reach(const Rig& rig, Pose& pose, const JointFrames& frames, const Limb& limb,
+               const Vector3d& target, EndTurn endTurn, const Stretch& stretch) {
     const auto at = [](int joint) { return static_cast<std::size_t>(joint); };
     const Vector3d root = frames.positions[at(limb.root)];
     const Vector3d middle = frames.positions[at(limb.middle)];
@@ -113,7 +113,7 @@ double reach(const Rig& rig, Pose& pose, const JointFrames& frames, const Limb& 
     const double lower = (end - middle).norm();
     const double was = (end - root).norm();
     const double wanted = (target - root).norm();
-    if (upper < 1e-6 || lower < 1e-6 || was < 1e-6 || wanted < 1e-6) return (end - target).norm();
+    if (upper < 1e-6 || lower < 1e-6 || was < 1e-6 || wanted < 1e-6) return end - target;
     const double length = upper + lower;
     const Stretch limits{std::min(stretch.least, was / length),
                          std::max(stretch.most, was / length)};
@@ -160,7 +160,7 @@ double reach(const Rig& rig, Pose& pose, const JointFrames& frames, const Limb& 
         pose.turns[at(limb.end)] =
             ((lowerTurn * turnOfParent(limb.end)).conjugate() * world[at(limb.end)]).normalized();
     }
-    return (bent.end - target).norm();
+    return bent.end - target;
 }
 
 }  // namespace kumite

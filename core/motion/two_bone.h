@@ -57,10 +57,10 @@ enum class EndTurn {
 /// which the limb is bent turns only as far as the line from root to end does. A limb that is
 /// straight bends as knees (forward) and elbows (backward) do. A limb that `pose` shows straighter
 /// or more folded than `stretch` may stay so. `frames` are the joint frames of `pose` as it comes
-/// in; afterwards those of the limb and of what hangs on it are out of date. Returns how far the
-/// end stays from the target, metres.
-double reach(const Rig& rig, Pose& pose, const JointFrames& frames, const Limb& limb,
-             const Eigen::Vector3d& target, EndTurn endTurn = EndTurn::KeepsWorld,
-             const Stretch& stretch = {});
+/// in; afterwards those of the limb and of what hangs on it are out of date. Returns what
+/// the end is from the target, metres: zero within reach.
+Eigen::Vector3d reach(const Rig& rig, Pose& pose, const JointFrames& frames, const Limb& limb,
+                      const Eigen::Vector3d& target, EndTurn endTurn = EndTurn::KeepsWorld,
+                      const Stretch& stretch = {});
 
 }  // namespace kumite

@@ -16,24 +16,23 @@ namespace {
 
 constexpr double kTolerance = 0.066;  ///< seconds
 
-/// What a player showed: the frames at which actions begin, and what they are.
+/// What a player showed: the frames at which actions begin and end, and what they are.
 struct ShownAction {
     int begin = 0;
     int end = 0;
+    int action = -1;
     int node = kAnyNode;
-    bool mostly = true;  ///< at least half of it was shown
 };
 
 std::vector<ShownAction> actionsShown(const BoutTape& tape, int player) {
-    std::vector<ShownAction> actions;
     const FighterShown& first = tape.first().shown(player);
-    actions.push_back({0, tape.end(), first.node, 2 * -first.actionBegin <= first.actionEnd});
+    std::vector<ShownAction> actions = {{0, tape.end(), first.action, first.node}};
     for (const auto& choice : tape.choices()) {
         if (choice->player != player || choice->frame >= tape.end()) continue;
         actions.back().end = choice->frame;
         // The very first choice may fall on frame 0, where nothing of the action before was shown.
         if (choice->frame == 0) actions.clear();
-        actions.push_back({choice->frame, tape.end(), choice->node, true});
+        actions.push_back({choice->frame, tape.end(), choice->action, choice->node});
     }
     return actions;
 }
@@ -166,6 +165,7 @@ KeptBout keepBout(const Project& project, const Analysis& analysis, const BoutTa
             correctionsFor(wanted, detected, kCorrectionReach * rate);
     }
     now = analyse(kept.edit.project, now, progress.part(0.8, 0.9));
+    const BoutLibrary& library = tape.first().library();
     std::vector<ActionAnswer> answers;
     for (const int player : {0, 1}) {
         const auto shown = actionsShown(tape, player);
@@ -174,10 +174,12 @@ KeptBout keepBout(const Project& project, const Analysis& analysis, const BoutTa
             const auto found = std::find_if(cut.begin(), cut.end(), [&](const Action& each) {
                 return each.begin == action.begin && each.end == action.end;
             });
-            if (found == cut.end() || action.node == kAnyNode || !action.mostly) continue;
+            if (found == cut.end() || action.node == kAnyNode) continue;
+            const int recorded = library.fighter(player).action(action.action).frames;
+            if (2 * (action.end - action.begin) < recorded) continue;
             answers.push_back({{index, player},
                                static_cast<int>(found - cut.begin()),
-                               tape.first().library().graph->node(player, action.node).label});
+                               library.graph->node(player, action.node).label});
         }
     }
     if (const auto labelled = setLabels(kept.edit.project, now, answers))
