@@ -7,6 +7,7 @@
 #include "core/base/text.h"
 #include "core/cli/agreement.h"
 #include "core/cli/command.h"
+#include "core/formats/json_text.h"
 #include "core/project/labelling.h"
 #include "core/project/project_file.h"
 #include "core/project/simulation.h"
@@ -24,10 +25,6 @@ struct Options {
     int batch = QuerySettings().batch;
     bool automatic = false, merge = false, noMirror = false, limbFirst = false, json = false;
 };
-
-double rounded(double value) {
-    return std::round(1e6 * value) / 1e6;
-}
 
 /// The take that is meant: by name, else the only one.
 std::optional<int> chosenTake(const Project& project, const std::string& name) {

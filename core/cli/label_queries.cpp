@@ -1,11 +1,10 @@
 #include "core/cli/label_queries.h"
 
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
+#include "core/formats/json_text.h"
 #include "core/labelling/distances.h"
 #include "core/labelling/learning_curve.h"
 #include "core/project/label_judgement.h"
@@ -15,10 +14,6 @@ namespace kumite::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double rounded(double value) {
-    return std::round(1e6 * value) / 1e6;
-}
 
 std::string take(const OpenProject& open, FighterAddress fighter) {
     return open.project.takes[static_cast<std::size_t>(fighter.take)].name;

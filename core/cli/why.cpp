@@ -1,10 +1,9 @@
-#include <cmath>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
 #include "core/cli/command.h"
+#include "core/formats/json_text.h"
 #include "core/project/interaction.h"
 
 namespace kumite::cli {
@@ -80,10 +79,6 @@ Json exampleJson(const CoupledGraph& graph, int mover, int transition) {
             {"frame", place.frame},
             {"begin", place.mover.begin},
             {"end", place.mover.end}};
-}
-
-double rounded(double value) {
-    return std::round(1e6 * value) / 1e6;
 }
 
 void printJson(const Interaction& interaction, const Question& question, const Options& o,

@@ -46,6 +46,10 @@ std::string prettyJson(const Json& json) {
     return text + "\n";
 }
 
+double rounded(double value) {
+    return std::round(value * 1e6) / 1e6;
+}
+
 std::string asStored(const std::string& text) {
     return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
 }

@@ -13,6 +13,9 @@ namespace kumite {
 /// JSON as people like to read it: short arrays and objects on one line, two spaces a level.
 std::string prettyJson(const nlohmann::ordered_json& json);
 
+/// Six decimals: more than a recording is good for, and short to read.
+double rounded(double value);
+
 /// The text as a file would give it back: bytes that are no UTF-8 become U+FFFD.
 std::string asStored(const std::string& text);
 

@@ -1,6 +1,5 @@
 #include "core/project/graph_export.h"
 
-#include <cmath>
 #include <functional>
 
 #include <fmt/format.h>
@@ -46,10 +45,6 @@ void forEdges(const Interaction& interaction, const std::function<void(const Edg
 
 const std::string& textOf(const Interaction& interaction, int player, int node) {
     return interaction.graph->node(player, node).text;
-}
-
-double rounded(double value) {
-    return std::round(1e6 * value) / 1e6;
 }
 
 Json actionJson(const CoupledGraph& graph, const BasicAction& action) {

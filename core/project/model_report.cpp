@@ -1,7 +1,6 @@
 #include "core/project/model_report.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -12,10 +11,6 @@ namespace kumite {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double rounded(double value) {
-    return std::round(1e6 * value) / 1e6;
-}
 
 Json averagesJson(const Averages& averages) {
     return {{"train", rounded(averages.train)},

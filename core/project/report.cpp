@@ -1,13 +1,13 @@
 #include "core/project/report.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/formats/json_text.h"
 #include "core/formats/tables.h"
 #include "core/project/notes.h"
 #include "core/project/review.h"
@@ -16,11 +16,6 @@ namespace kumite {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Six decimals: more than a recording is good for, and short to read.
-double rounded(double value) {
-    return std::round(value * 1e6) / 1e6;
-}
 
 std::optional<double> peakForce(const FighterAnalysis& fighter, const Action& action) {
     if (!fighter.force) return std::nullopt;
