@@ -35,6 +35,7 @@ public:
 using Action = std::function<void(const Streams&)>;
 
 // One per subcommand: adds it to the parser; `action` is set when it was chosen.
+void addBout(CLI::App& app, Action& action);
 void addDemo(CLI::App& app, Action& action);
 void addInfo(CLI::App& app, Action& action);
 void addJoints(CLI::App& app, Action& action);

@@ -36,6 +36,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addLabels(app, action);
     addModel(app, action);
     addWhy(app, action);
+    addBout(app, action);
     addRelink(app, action);
     addVersions(app, action);
 

@@ -57,6 +57,13 @@ public:
     /// What the numbers from `first` on add to `turned`.
     Eigen::VectorXd turnedPart(const Eigen::VectorXd& part, int first, int label) const;
     double logDensityAt(const Eigen::VectorXd& turned, int label) const;
+    /// Mean and variances of a label's Gaussian along the turned axes.
+    const Eigen::VectorXd& mean(int label) const {
+        return gaussians_[static_cast<std::size_t>(label)].mean;
+    }
+    const Eigen::VectorXd& variances(int label) const {
+        return gaussians_[static_cast<std::size_t>(label)].variances;
+    }
 
 private:
     struct Gaussian {

@@ -30,8 +30,38 @@ constexpr Solid kSolids[] = {
     {Role::RightAnkle, Role::RightToe, 0.035},
 };
 
-/// Distance of two line segments (closest points by clamping each parameter in turn).
-double segmentDistance(const Capsule& p, const Capsule& q) {
+}  // namespace
+
+void bodyCapsules(const RoleMap& roles, std::span<const Vector3d> positions,
+                  std::vector<BodyCapsule>& out) {
+    out.clear();
+    const auto at = [&](Role role) { return positions[static_cast<std::size_t>(*roles[role])]; };
+    for (const Solid& solid : kSolids) {
+        if (!roles.has(solid.from) || !roles.has(solid.to)) continue;
+        out.push_back({{at(solid.from), at(solid.to), solid.radius}, solid.from, solid.to});
+    }
+    // The skull goes on beyond the head joint, as far again as the neck is long.
+    if (roles.has(Role::Neck) && roles.has(Role::Head)) {
+        const Vector3d head = at(Role::Head);
+        out.push_back({{head, head + (head - at(Role::Neck)), 0.09}, Role::Head, Role::Head});
+    }
+}
+
+std::vector<Capsule> bodyCapsules(const RoleMap& roles, const JointPositions& positions,
+                                  int frame) {
+    std::vector<Vector3d> joints;
+    for (int joint = 0; joint < positions.jointCount; ++joint)
+        joints.push_back(positions.at(frame, joint).cast<double>());
+    std::vector<BodyCapsule> solids;
+    bodyCapsules(roles, joints, solids);
+    std::vector<Capsule> capsules;
+    for (const BodyCapsule& each : solids)
+        capsules.push_back(each.solid);
+    return capsules;
+}
+
+/// Closest points of two line segments by clamping each parameter in turn.
+Nearness nearness(const Capsule& p, const Capsule& q) {
     const Vector3d u = p.b - p.a;
     const Vector3d v = q.b - q.a;
     const Vector3d w = p.a - q.a;
@@ -48,33 +78,21 @@ double segmentDistance(const Capsule& p, const Capsule& q) {
         t = std::clamp(t, 0.0, 1.0);
         s = uu > 1e-12 ? std::clamp((uv * t - uw) / uu, 0.0, 1.0) : 0.0;
     }
-    return (w + s * u - t * v).norm();
-}
-
-}  // namespace
-
-std::vector<Capsule> bodyCapsules(const RoleMap& roles, const JointPositions& positions,
-                                  int frame) {
-    std::vector<Capsule> capsules;
-    for (const Solid& solid : kSolids) {
-        if (!roles.has(solid.from) || !roles.has(solid.to)) continue;
-        capsules.push_back({positions.at(frame, *roles[solid.from]).cast<double>(),
-                            positions.at(frame, *roles[solid.to]).cast<double>(), solid.radius});
-    }
-    // The skull goes on beyond the head joint, as far again as the neck is long.
-    if (roles.has(Role::Neck) && roles.has(Role::Head)) {
-        const Vector3d neck = positions.at(frame, *roles[Role::Neck]).cast<double>();
-        const Vector3d head = positions.at(frame, *roles[Role::Head]).cast<double>();
-        capsules.push_back({head, head + (head - neck), 0.09});
-    }
-    return capsules;
+    const Vector3d way = w + s * u - t * v;
+    const double distance = way.norm();
+    Nearness near;
+    near.depth = p.radius + q.radius - distance;
+    if (distance > 1e-9) near.direction = way / distance;
+    near.alongFirst = s;
+    near.alongSecond = t;
+    return near;
 }
 
 double overlap(const std::vector<Capsule>& first, const std::vector<Capsule>& second) {
     double deepest = -std::numeric_limits<double>::infinity();
     for (const Capsule& p : first) {
         for (const Capsule& q : second) {
-            deepest = std::max(deepest, p.radius + q.radius - segmentDistance(p, q));
+            deepest = std::max(deepest, nearness(p, q).depth);
         }
     }
     return deepest;
