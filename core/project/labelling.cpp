@@ -11,7 +11,7 @@ namespace kumite {
 namespace {
 
 /// Confidences are kept to a thousandth, so that files stay readable and read back the same.
-float rounded(double confidence) {
+float storedConfidence(double confidence) {
     return static_cast<float>(std::round(1000 * std::clamp(confidence, 0.0, 1.0)) / 1000);
 }
 
@@ -252,7 +252,7 @@ Proposals propose(const Project& project, const Analysis& analysis, const Action
             const Prediction& prediction = predictions.at(static_cast<int>(row), a);
             if (prediction.qualifier == kUnknown) continue;
             fill(label.aspects[static_cast<std::size_t>(a)], prediction.qualifier,
-                 LabelSource::Machine, rounded(prediction.confidence));
+                 LabelSource::Machine, storedConfidence(prediction.confidence));
         }
     }
     for (std::size_t i = 0; i < proposals.fighters.size(); ++i) {
