@@ -26,6 +26,7 @@ struct Options {
     int avatar = 1;
     int attacker = 1;
     bool commandFirst = false;
+    bool bestSample = false;
     bool json = false;
 };
 
@@ -60,6 +61,7 @@ Prepared prepare(const OpenProject& open, const Options& o, const Streams& strea
     settings.mode = *modeFromName(o.mode);
     settings.seed = o.seed;
     settings.temperature = o.temperature;
+    settings.score = o.bestSample ? ChoiceScore::BestSample : ChoiceScore::Evidence;
     settings.avatar = o.avatar - 1;
     settings.reactFirst = !o.commandFirst;
     settings.attacker = o.attacker - 1;
@@ -180,6 +182,9 @@ void addBout(CLI::App& app, Action& action) {
         ->add_option("--temperature", o->temperature,
                      "0: always the likeliest; 1: as learnt; above: flatter")
         ->check(CLI::Range(0.0, 1000.0));
+    command->add_flag("--best-sample", o->bestSample,
+                      "the paper's geometry term: that of a label's best sample, which favours "
+                      "frequent labels");
     command->add_option("--script", o->script, "a .json with timed commands");
     command->add_option("--avatar", o->avatar, "who is steered")->check(CLI::Range(1, 2));
     command->add_flag("--command-first", o->commandFirst,

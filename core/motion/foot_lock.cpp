@@ -87,7 +87,8 @@ void FootLock::change(Foot& foot, std::size_t side, const Vector3d& raw,
     double lowest = raw.y();
     for (std::size_t i = 1; i < ahead.size() && standing[i][side]; ++i)
         lowest = std::min(lowest, legOf(foot, ahead[i]).point.y());
-    foot.sink = std::clamp(lowest - settings_.floor[side], 0.0, settings_.highestSink);
+    foot.sink =
+        std::clamp(lowest - settings_.floor[side] - settings_.onToes, 0.0, settings_.highestSink);
     foot.offset = Vector3d(0, foot.shown.y() + foot.sink, 0);
 }
 

@@ -11,22 +11,18 @@ namespace kumite {
 
 /// How planted feet are kept where they are.
 struct FootLockSettings {
-    /// Heights of the left and right foot point (see `footPoint`) when that foot stands: no foot
-    /// point is shown lower, and a standing foot that floats is brought down to it. Metres.
+    /// Heights of the left and right foot point (see `footPoint`) when that foot stands flat: no
+    /// foot point is shown lower. Metres.
     std::array<double, 2> floor = {0.0, 0.0};
     double ease = 0.12;         ///< seconds in which a foot comes to rest and is let go again
     double lookAhead = 0.15;    ///< seconds of the future that may be used
     double farthest = 0.25;     ///< metres: a motion that leaves its foot farther behind drags it
-    double highestSink = 0.06;  ///< metres by which a floating foot is brought down at most
+    double onToes = 0.03;       ///< metres over the floor on which a foot may stand, on its toes
+    double highestSink = 0.06;  ///< metres by which one that floats higher is brought down at most
     double hipsDrop = 0.06;     ///< metres by which the hips may lower so that legs reach
     Stretch stretch;            ///< of the legs; a motion's own stretch is never forbidden
 
-    bool operator==(const FootLockSettings& other) const {
-        return floor == other.floor && ease == other.ease && lookAhead == other.lookAhead &&
-               farthest == other.farthest && highestSink == other.highestSink &&
-               hipsDrop == other.hipsDrop && stretch.least == other.stretch.least &&
-               stretch.most == other.stretch.most;
-    }
+    bool operator==(const FootLockSettings&) const = default;
 };
 
 /// Which feet stand: left, right.
@@ -36,8 +32,10 @@ using Standing = std::array<bool, 2>;
 /// place where it is shown then (it comes to rest within `ease`, as its speed has it), the ankle
 /// follows with the foot's own turn, the leg bends (two_bone.h), and where legs do not reach the
 /// hips lower a little. When the foot no longer stands, what was corrected is let go within `ease`.
-/// Bringing down a floating foot and lowering the hips begin before they are needed, as far as the
-/// future is known. Every frame has the same cost; a value, so that a stream can go back to it.
+/// How far a floating foot has to come down is seen ahead, and the hips begin to lower before they
+/// have to, as far as the future is known. A foot's height is its own (it may stand on its toes)
+/// but for that and the floor. Every frame has the same cost; a value, so that a stream can go back
+/// to it.
 class FootLock {
 public:
     FootLock(std::shared_ptr<const Rig> rig, double rate, const FootLockSettings& settings = {});

@@ -8,13 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-struct Solid {
-    Role from;
-    Role to;
-    double radius;
-};
-
-constexpr Solid kSolids[] = {
+constexpr BodySolid kSolids[] = {
     {Role::Pelvis, Role::Chest, 0.12},
     {Role::Chest, Role::Neck, 0.11},
     {Role::Neck, Role::Head, 0.07},
@@ -32,18 +26,23 @@ constexpr Solid kSolids[] = {
 
 }  // namespace
 
+std::span<const BodySolid> bodySolids() {
+    return kSolids;
+}
+
 void bodyCapsules(const RoleMap& roles, std::span<const Vector3d> positions,
                   std::vector<BodyCapsule>& out) {
     out.clear();
     const auto at = [&](Role role) { return positions[static_cast<std::size_t>(*roles[role])]; };
-    for (const Solid& solid : kSolids) {
+    for (const BodySolid& solid : kSolids) {
         if (!roles.has(solid.from) || !roles.has(solid.to)) continue;
         out.push_back({{at(solid.from), at(solid.to), solid.radius}, solid.from, solid.to});
     }
     // The skull goes on beyond the head joint, as far again as the neck is long.
     if (roles.has(Role::Neck) && roles.has(Role::Head)) {
         const Vector3d head = at(Role::Head);
-        out.push_back({{head, head + (head - at(Role::Neck)), 0.09}, Role::Head, Role::Head});
+        out.push_back(
+            {{head, head + (head - at(Role::Neck)), kSkullRadius}, Role::Head, Role::Head});
     }
 }
 

@@ -17,6 +17,16 @@ struct Capsule {
     double radius = 0;
 };
 
+/// A part of every body: the capsule between two joints, by role.
+struct BodySolid {
+    Role from;
+    Role to;
+    double radius;  ///< metres, of a slim adult
+};
+/// Trunk, arms, legs and feet, and the neck; the skull goes on beyond the head's joint.
+std::span<const BodySolid> bodySolids();
+inline constexpr double kSkullRadius = 0.09;
+
 /// A body's solids at one frame, from the joints that have roles: trunk, head, arms, legs, feet.
 /// Radii are those of a slim adult, so that what touches is not yet overlapping. Joints without a
 /// role leave their solids out.

@@ -16,6 +16,8 @@ struct TwoBone {
 struct Stretch {
     double least = 0.33;   ///< about 38° at the joint: calf on thigh
     double most = 0.9985;  ///< a knee or elbow never locks
+
+    bool operator==(const Stretch&) const = default;
 };
 
 /// Bends a limb of two bones: its middle lies in the plane of `pole`, on its side. A target too far

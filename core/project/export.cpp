@@ -9,8 +9,11 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/formats/bvh.h"
+#include "core/formats/gltf.h"
+#include "core/formats/npz.h"
 #include "core/motion/euler.h"
 #include "core/project/label_files.h"
+#include "core/project/placed_clip.h"
 #include "core/project/report.h"
 
 namespace kumite {
@@ -129,6 +132,41 @@ std::filesystem::path playerFile(const std::filesystem::path& file, std::size_t 
     return file.parent_path() / name;
 }
 
+/// Both fighters in the bout's space, as the studio shows them.
+struct PlacedTake {
+    std::vector<Clip> clips;
+    std::vector<double> starts;  ///< seconds after the take's first moment
+};
+
+PlacedTake placedTake(const Take& take, const std::vector<FighterAnalysis>& fighters) {
+    PlacedTake placed;
+    for (const FighterAnalysis& fighter : fighters) {
+        placed.clips.push_back(placedClip(fighter));
+        placed.starts.push_back(timeOfFrame(fighter.input, 0) - timeSpan(take).begin);
+    }
+    return placed;
+}
+
+std::string glbOf(const Take& take, const PlacedTake& placed) {
+    constexpr std::array<float, 3> kColours[] = {{0.80f, 0.22f, 0.15f}, {0.13f, 0.30f, 0.75f}};
+    std::vector<GltfFigure> figures;
+    for (std::size_t i = 0; i < placed.clips.size(); ++i) {
+        figures.push_back({"player" + std::to_string(i + 1), &placed.clips[i], placed.starts[i],
+                           kColours[i % std::size(kColours)]});
+    }
+    return glbBytes(figures, take.name);
+}
+
+std::string npzOf(const PlacedTake& placed) {
+    std::vector<NpyArray> arrays;
+    for (std::size_t i = 0; i < placed.clips.size(); ++i) {
+        const std::string suffix = i == 0 ? "" : "_" + std::to_string(i + 1);
+        for (NpyArray& array : clipArrays(placed.clips[i], placed.starts[i], suffix))
+            arrays.push_back(std::move(array));
+    }
+    return npzBytes(arrays);
+}
+
 }  // namespace
 
 std::vector<std::filesystem::path> exportTake(const Project& project, const Analysis& analysis,
@@ -148,9 +186,10 @@ std::vector<std::filesystem::path> exportTake(const Project& project, const Anal
         writeLabels(project, analysis, take, file);
         return {file};
     }
-    if (suffix != ".bvh") {
+    if (suffix != ".bvh" && suffix != ".glb" && suffix != ".npz") {
         throw Error(file.string() +
-                    ": the suffix says what to write, expected .bvh, .csv, .json or .eaf.");
+                    ": the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or "
+                    ".eaf.");
     }
     const Take& which = project.takes.at(static_cast<std::size_t>(take));
     for (const Fighter& fighter : which.fighters) {
@@ -158,6 +197,12 @@ std::vector<std::filesystem::path> exportTake(const Project& project, const Anal
             throw Error(fighter.recording.path.string() +
                         ": the recording is missing; the take cannot be written without it.");
         }
+    }
+    if (suffix != ".bvh") {
+        const PlacedTake placed =
+            placedTake(which, analysis.takes.at(static_cast<std::size_t>(take)));
+        writeFileAtomically(file, suffix == ".glb" ? glbOf(which, placed) : npzOf(placed));
+        return {file};
     }
     std::vector<std::filesystem::path> written;
     for (std::size_t player = 0; player < which.fighters.size(); ++player) {

@@ -115,7 +115,7 @@ void Bout::choose(int player, const std::array<Playing, 2>& before) {
         choice.steered = true;
     }
     bool commanded = false;
-    choice.options = optionsOf(model->candidates(own.node, opponent.node, known),
+    choice.options = optionsOf(model->candidates(own.node, opponent.node, known, settings_.score),
                                rulesFor(player, own, opponent, &commanded));
     choice.number = drawn(settings_.seed, static_cast<std::uint64_t>(player),
                           static_cast<std::uint64_t>(fighter.choices++));

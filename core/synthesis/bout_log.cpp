@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "core/formats/json_text.h"
 #include "core/synthesis/bout_tape.h"
 
@@ -7,10 +5,6 @@ namespace kumite {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-double rounded(double value) {
-    return std::round(1e6 * value) / 1e6;
-}
 
 std::string_view barredName(Barred barred) {
     switch (barred) {
@@ -101,6 +95,7 @@ std::string boutLog(const BoutTape& tape) {
                  {"mode", modeName(settings.mode)},
                  {"seed", settings.seed},
                  {"temperature", settings.temperature},
+                 {"score", settings.score == ChoiceScore::Evidence ? "evidence" : "best_sample"},
                  {"coupling", settings.coupling},
                  {"foot_locking", settings.footLocking},
                  {"separation", settings.separation}};

@@ -8,6 +8,8 @@
 
 #include <Eigen/Core>
 
+#include "core/synthesis/choice.h"
+
 namespace kumite {
 
 /// Who decides (paper A, section 6). Automatic: the model, for both. Avatar: one fighter does what
@@ -21,7 +23,8 @@ std::optional<BoutMode> modeFromName(std::string_view name);
 struct BoutSettings {
     BoutMode mode = BoutMode::Automatic;
     std::uint64_t seed = 1;
-    double temperature = 1;   ///< 0: always the likeliest; above 1: flatter
+    double temperature = 1;  ///< 0: always the likeliest; above 1: flatter
+    ChoiceScore score = ChoiceScore::Evidence;
     int avatar = 0;           ///< player who is steered
     bool reactFirst = true;   ///< an avatar under attack may answer before it serves the command
     int attacker = 0;         ///< player who replays

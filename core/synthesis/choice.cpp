@@ -4,7 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace kumite {
 namespace {
@@ -51,6 +55,7 @@ ChoiceModel::ChoiceModel(LabelTerm labels, GeometryTerm geometry, const Eigen::M
     squares_.resize(static_cast<Eigen::Index>(samples));
     for (std::size_t node = 0; node < nodes; ++node) {
         const int label = static_cast<int>(node);
+        learnKnown(label, nextNumbers);
         axes_.push_back(axesOf(geometry_, known_, nextNumbers, label));
         for (int i = first_[node]; i < first_[node + 1]; ++i) {
             const auto row = static_cast<Eigen::Index>(order[at(i)]);
@@ -64,17 +69,40 @@ ChoiceModel::ChoiceModel(LabelTerm labels, GeometryTerm geometry, const Eigen::M
         transitions_.push_back(transitions[i]);
 }
 
+/// The known numbers' part of a label's Gaussian: its inverse covariance is what is left of that of
+/// all numbers when the next ones may be anything (Schur complement).
+void ChoiceModel::learnKnown(int node, int nextNumbers) {
+    const int all = known_ + nextNumbers;
+    const Eigen::MatrixXd axes = axesOf(geometry_, 0, all, node);
+    const Eigen::VectorXd origin = geometry_.turned(Eigen::VectorXd::Zero(all), node);
+    const Eigen::MatrixXd inverse =
+        axes.transpose() * geometry_.variances(node).cwiseInverse().asDiagonal() * axes;
+    const Eigen::MatrixXd cross = inverse.topRightCorner(known_, nextNumbers);
+    const Eigen::LLT<Eigen::MatrixXd> next(inverse.bottomRightCorner(nextNumbers, nextNumbers));
+    const Eigen::MatrixXd marginal =
+        inverse.topLeftCorner(known_, known_) - cross * next.solve(cross.transpose());
+    Known& known = knowns_.emplace_back();
+    known.mean = axes.partialPivLu().solve(geometry_.mean(node) - origin).head(known_);
+    known.factor = marginal.llt().matrixU();
+    known.peak =
+        known.factor.diagonal().array().log().sum() - 0.5 * known_ * std::log(2 * std::numbers::pi);
+}
+
 std::vector<ChoiceModel::Candidate> ChoiceModel::candidates(int own, int opponent,
-                                                            const Eigen::VectorXd& known) const {
+                                                            const Eigen::VectorXd& known,
+                                                            ChoiceScore score) const {
     const std::vector<double> logs = labels_.logProbabilities(own, opponent);
     std::vector<Candidate> all(logs.size());
-    double topDensity = kNothing, topProduct = kNothing;
+    double topGeometry = kNothing, topProduct = kNothing;
+    const auto geometryOf = [score](const Candidate& each) {
+        return score == ChoiceScore::Evidence ? each.logEvidence : each.logDensity;
+    };
     Eigen::VectorXd scores;
     for (std::size_t n = 0; n < all.size(); ++n) {
         Candidate& each = all[n];
         each.node = static_cast<int>(n);
         each.label = std::exp(logs[n]);
-        each.logDensity = each.logProduct = kNothing;
+        each.logDensity = each.logEvidence = each.logProduct = kNothing;
         const int count = first_[n + 1] - first_[n];
         if (count == 0) continue;
         // The squared distance of known + next is that of both alone and twice their product.
@@ -90,14 +118,18 @@ std::vector<ChoiceModel::Candidate> ChoiceModel::candidates(int own, int opponen
         const double peak = geometry_.logDensityAt(geometry_.mean(each.node), each.node);
         each.transition = transitions_[at(first_[n] + static_cast<int>(best))];
         each.logDensity = peak - 0.5 * (offset.dot(weighted) + least);
-        each.logProduct = each.logDensity + logs[n];
-        topDensity = std::max(topDensity, each.logDensity);
+        each.logEvidence =
+            knowns_[n].peak -
+            0.5 * (knowns_[n].factor.triangularView<Eigen::Upper>() * (known - knowns_[n].mean))
+                      .squaredNorm();
+        each.logProduct = geometryOf(each) + logs[n];
+        topGeometry = std::max(topGeometry, geometryOf(each));
         topProduct = std::max(topProduct, each.logProduct);
     }
     double densities = 0, products = 0;
     for (Candidate& each : all) {
         if (each.transition < 0) continue;
-        densities += each.geometry = std::exp(each.logDensity - topDensity);
+        densities += each.geometry = std::exp(geometryOf(each) - topGeometry);
         products += each.product = std::exp(each.logProduct - topProduct);
     }
     for (Candidate& each : all) {

@@ -11,6 +11,13 @@
 
 namespace kumite {
 
+/// What the geometry term of a candidate label is. BestSample, as in the paper: the density of its
+/// best sample together with what is known, P(n¹ᵢ, n²ⱼ, n¹ᵢ₊₁ | l'). Labels with many samples have
+/// better best ones whatever the moment is like, so that a bout drifts to what is frequent.
+/// Evidence: the density of what is known alone, P(n¹ᵢ, n²ⱼ | l'), the integral of the same
+/// Gaussian over n¹ᵢ₊₁. The sample of a label is the best one (equation 12) for both.
+enum class ChoiceScore { Evidence, BestSample };
+
 /// What a mover draws its next action from (paper A, 5.1.1; method A9): both terms of the
 /// transition model, and the samples of every label laid out so that the best one (equation 12) of
 /// all labels is found in one pass of a dozen multiplications a sample. A value; safe to read from
@@ -36,19 +43,22 @@ public:
     /// A label that could come next.
     struct Candidate {
         int node = 0;
-        double label = 0;       ///< label term: a probability
-        double geometry = 0;    ///< of the best sample, made to sum to 1 over the nodes
-        double product = 0;     ///< both together, a probability
-        double logDensity = 0;  ///< of the best sample, of the numbers as given
-        double logProduct = 0;  ///< not normalised
-        int transition = -1;    ///< of the graph: the best sample's; -1: the node has none
+        double label = 0;        ///< label term: a probability
+        double geometry = 0;     ///< see ChoiceScore; made to sum to 1 over the nodes
+        double product = 0;      ///< both together, a probability
+        double logDensity = 0;   ///< of the best sample, of the numbers as given
+        double logEvidence = 0;  ///< of the known numbers
+        double logProduct = 0;   ///< not normalised
+        int transition = -1;     ///< of the graph: the best sample's; -1: the node has none
     };
     /// All nodes, in order. `known`: knownNumbers() numbers. kAnyNode leaves open what somebody
     /// does.
-    std::vector<Candidate> candidates(int own, int opponent, const Eigen::VectorXd& known) const;
+    std::vector<Candidate> candidates(int own, int opponent, const Eigen::VectorXd& known,
+                                      ChoiceScore score = ChoiceScore::Evidence) const;
 
 private:
     static std::size_t at(int node) { return static_cast<std::size_t>(node); }
+    void learnKnown(int node, int nextNumbers);
 
     LabelTerm labels_;
     GeometryTerm geometry_;
@@ -58,8 +68,15 @@ private:
     Eigen::VectorXd centre_;        ///< of n¹ᵢ₊₁
     Eigen::MatrixXd next_;          ///< a column per sample: n¹ᵢ₊₁ less the centre
     Eigen::VectorXd squares_;  ///< by sample: what n¹ᵢ₊₁ alone adds to the squared distance
-    /// By transform of the geometry term: what a unit of n¹ᵢ₊₁ adds to the turned numbers.
+    /// By node: what a unit of n¹ᵢ₊₁ adds to the turned numbers.
     std::vector<Eigen::MatrixXd> axes_;
+    /// By node, the Gaussian of the known numbers alone.
+    struct Known {
+        Eigen::VectorXd mean;
+        Eigen::MatrixXd factor;  ///< Fᵀ F is its inverse covariance; upper triangular
+        double peak = 0;         ///< log density at the mean
+    };
+    std::vector<Known> knowns_;
 };
 
 /// Why a candidate may not be drawn.

@@ -66,7 +66,8 @@ TEST(Choice, FindsTheSameBestSamplesAsTheModelAsksOneByOne) {
         const Made made(300, kind);
         for (const int row : {0, 17, 101}) {
             const Eigen::VectorXd known = made.moment(row);
-            const auto candidates = made.choice.candidates(row % 5, row % 3, known);
+            const auto candidates =
+                made.choice.candidates(row % 5, row % 3, known, ChoiceScore::BestSample);
             for (const NextLabel& slow : nextLabels(made.model, row % 5, row % 3, &known)) {
                 const auto& fast = candidates[static_cast<std::size_t>(slow.node)];
                 EXPECT_EQ(fast.transition, slow.bestTransition.value_or(-1));
@@ -76,6 +77,31 @@ TEST(Choice, FindsTheSameBestSamplesAsTheModelAsksOneByOne) {
                 EXPECT_NEAR(fast.logDensity, slow.logDensity, 1e-7);
             }
         }
+    }
+}
+
+TEST(Choice, TheEvidenceIsTheIntegralOverWhateverComesNext) {
+    // With a single next number the integral can be summed up.
+    const Made made;
+    const Eigen::MatrixXd rows = made.model.numbers.leftCols(25);
+    const auto triples = labelTriples(made.model.graph->transitions[0]);
+    std::vector<int> classes, indices;
+    for (const LabelTriple& triple : triples) {
+        classes.push_back(triple.next);
+        indices.push_back(static_cast<int>(indices.size()));
+    }
+    const GeometryTerm geometry({}, rows, classes, made.model.labels.nodeCount());
+    const ChoiceModel choice(made.model.labels, geometry, rows, triples, indices, 1);
+    const Eigen::VectorXd known = made.moment(5);
+    for (const auto& candidate : choice.candidates(0, 0, known)) {
+        Eigen::VectorXd numbers(25);
+        numbers.head(24) = known;
+        double sum = 0;
+        const double step = 0.002;
+        for (numbers[24] = -10; numbers[24] < 20; numbers[24] += step)
+            sum += step *
+                   std::exp(geometry.logDensity(numbers, candidate.node) - candidate.logEvidence);
+        EXPECT_NEAR(sum, 1, 1e-6) << candidate.node;
     }
 }
 

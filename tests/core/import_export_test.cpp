@@ -8,6 +8,7 @@
 #include "core/project/edits.h"
 #include "core/project/export.h"
 #include "core/project/import.h"
+#include "core/project/placed_clip.h"
 #include "tests/support/builders.h"
 #include "tests/support/fixtures.h"
 
@@ -249,12 +250,44 @@ TEST(Export, ActionsAsTableAndJson) {
     EXPECT_NE(readText(exported.write("a.json")[0]).find("\"prominence\""), std::string::npos);
 }
 
+TEST(Export, PosesStandInTheBoutsSpace) {
+    const Exported exported({1.5, -0.5, 0.7});
+    const Analysis analysis = analyse(exported.project);
+    const FighterAnalysis& fighter = analysis.at({0, 0});
+    Findings losses;
+    const Clip clip = placedClip(fighter, &losses);
+    EXPECT_TRUE(losses.empty());
+    EXPECT_EQ(clip.rate, fighter.input.rate);
+    const JointPositions positions = positionsOf(clip);
+    ASSERT_EQ(positions.frameCount, fighter.frameCount());
+    for (int frame = 0; frame < positions.frameCount; frame += 9) {
+        for (int joint = 0; joint < positions.jointCount; ++joint) {
+            const Eigen::Vector3d expected =
+                placed(fighter.input, fighter.body->floor,
+                       fighter.motion->positions.at(frame, joint).cast<double>());
+            EXPECT_LT((positions.at(frame, joint).cast<double>() - expected).norm(), 1e-5);
+        }
+    }
+}
+
+TEST(Export, GltfAndNumpyHoldTheTakeInOneFile) {
+    Exported exported;
+    const auto glb = exported.write("a.glb");
+    ASSERT_EQ(glb.size(), 1U);
+    EXPECT_EQ(readText(glb[0]).substr(0, 4), "glTF");
+    EXPECT_NE(readText(glb[0]).find("\"player1\""), std::string::npos);
+    const auto npz = exported.write("a.npz");
+    ASSERT_EQ(npz.size(), 1U);
+    EXPECT_NE(readText(npz[0]).find("rotations.npy"), std::string::npos);
+}
+
 TEST(Export, WhatCannotBeWrittenIsSaid) {
     Exported exported;
     EXPECT_THROW(exported.write("a.fbx"), Error);
     EXPECT_THROW(exported.write("no/folder/a.csv"), Error);
     exported.project.takes[0].fighters[0].motion = nullptr;
-    EXPECT_THROW(exported.write("a.bvh"), Error);
+    for (const char* name : {"a.bvh", "a.glb", "a.npz"})
+        EXPECT_THROW(exported.write(name), Error);
 }
 
 }  // namespace
