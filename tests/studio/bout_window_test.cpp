@@ -211,9 +211,9 @@ TEST_F(BoutTest, IsWrittenInManyWays) {
     openTheBout();
     show(2);
     const Project& project = session().document().project();
-    for (const char* name : {"b.bvh", "b.json", "b.svg"})
+    for (const char* name : {"b.bvh", "b.json", "b.glb"})
         writeBout(project, *bout().tape(), file(name), {});
-    for (const char* name : {"b-1.bvh", "b-2.bvh", "b.json", "b.svg"})
+    for (const char* name : {"b-1.bvh", "b-2.bvh", "b.json", "b.glb"})
         EXPECT_GT(QFileInfo(file(name)).size(), 100) << name;
     EXPECT_THROW(writeBout(project, *bout().tape(), file("b.txt"), {}), Error);
 

@@ -109,9 +109,9 @@ void exportBout(BoutSession& bout, StageView& stage) {
     bout.setPlaying(false);
     QString path = QFileDialog::getSaveFileName(
         stage.window(), text("Export the bout"), suggestion(bout, QStringLiteral(".bvh")),
-        text("Motion of both, NAME-1 and NAME-2 (*.bvh);;"
-             "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Film strips beside the "
-             "recording (*.svg);;Log: everything that makes it again (*.json)"));
+        text("Motion of both, NAME-1 and NAME-2 (*.bvh);;glTF: skeletons and animation (*.glb);;"
+             "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes "
+             "it again (*.json)"));
     if (path.isEmpty()) return;
     QSettings().setValue(QStringLiteral("exportFolder"), QFileInfo(path).absolutePath());
     const QString suffix = QFileInfo(path).suffix().toLower();

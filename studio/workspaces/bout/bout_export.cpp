@@ -10,8 +10,9 @@
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/formats/bvh.h"
+#include "core/formats/gltf.h"
 #include "core/project/kept_bout.h"
-#include "core/synthesis/film_strip.h"
+#include "studio/app/theme.h"
 
 namespace kumite::studio {
 
@@ -37,6 +38,21 @@ void writeBvhPair(const Project& project, const BoutTape& tape, const QString& p
     }
 }
 
+void writeGltf(const BoutTape& tape, const QString& path, const Progress& progress) {
+    const std::array<Clip, 2> clips = boutClips(tape, progress.part(0, 0.5));
+    const Colours& c = colours(false);
+    std::array<GltfFigure, 2> figures;
+    for (const std::size_t player : {0U, 1U}) {
+        const QColor colour = c.fighters[player];
+        figures[player].name = "player" + std::to_string(player + 1);
+        figures[player].clip = &clips[player];
+        figures[player].colour = {colour.redF(), colour.greenF(), colour.blueF()};
+    }
+    writeFileAtomically(
+        path.toStdString(),
+        glbBytes(figures, QFileInfo(path).completeBaseName().toStdString(), progress.part(0.5, 1)));
+}
+
 }  // namespace
 
 void writeBout(const Project& project, const BoutTape& tape, const QString& path,
@@ -44,13 +60,12 @@ void writeBout(const Project& project, const BoutTape& tape, const QString& path
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("bvh")) {
         writeBvhPair(project, tape, path, progress);
+    } else if (suffix == QLatin1String("glb")) {
+        writeGltf(tape, path, progress);
     } else if (suffix == QLatin1String("json")) {
         writeFileAtomically(path.toStdString(), boutLog(tape));
-    } else if (suffix == QLatin1String("svg")) {
-        writeFileAtomically(path.toStdString(),
-                            filmStripSvg(tape.now().library(), filmStrips(tape, 7, 12, progress)));
     } else {
-        throw Error(path.toStdString() + ": the name must end in .bvh, .json, .svg, .png or .mp4.");
+        throw Error(path.toStdString() + ": the name must end in .bvh, .glb, .json, .png or .mp4.");
     }
 }
 

@@ -12,8 +12,8 @@ struct Project;
 
 namespace kumite::studio {
 
-/// Writes a bout by the file's suffix: .bvh (a pair, NAME-1 and NAME-2), .json (the log that makes
-/// it again), .svg (film strips beside the recording). Throws Error. For any thread.
+/// Writes a bout by the file's suffix: .bvh (a pair, NAME-1 and NAME-2), .glb (skeletons and
+/// animation), .json (the log that makes it again). Throws Error. For any thread.
 void writeBout(const Project& project, const BoutTape& tape, const QString& path,
                const Progress& progress);
 
