@@ -36,6 +36,7 @@
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/bout/bout_session.h"
 #include "studio/workspaces/graph/graph_session.h"
 #include "studio/workspaces/label/label_session.h"
 
@@ -249,9 +250,9 @@ void MainWindow::refreshTitle() {
 
 void MainWindow::refreshIcons() {
     commands_->refreshIcons();
-    if (!session_.transport().isPlaying()) return;
-    commands_->action("transport.play")
-        ->setIcon(lineIcon(QStringLiteral("pause"), coloursFor(palette()).text));
+    const QIcon pause = lineIcon(QStringLiteral("pause"), coloursFor(palette()).text);
+    if (session_.transport().isPlaying()) commands_->action("transport.play")->setIcon(pause);
+    if (bout_->isPlaying()) commands_->action("bout.play")->setIcon(pause);
 }
 
 void MainWindow::showKeysHint() {

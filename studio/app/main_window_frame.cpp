@@ -135,7 +135,10 @@ void MainWindow::addBoutWorkspace() {
         boutBox_->setVisible(shown);
         timelineBox_->setVisible(!shown);
         bout_->setActive(shown);
+        // What had the focus may be hidden now; the next key would press some button.
+        if (shown) stage_->setFocus();
     };
+    connect(bout_, &BoutSession::stateChanged, this, &MainWindow::refreshIcons);
     connect(workspaces_, &Workspaces::changed, bout_, follow);
     follow();
 }
@@ -253,6 +256,10 @@ QString MainWindow::keysHint() const {
         {{"label.reject"}, tr("second best"), !measuring},
         {{"label.laneUp", "label.laneDown"}, tr("lane"), !measuring},
         {{"label.class1"}, tr("… its classes"), !measuring},
+        {{"bout.play"}, bout_->isPlaying() ? tr("pause") : tr("fight")},
+        {{"bout.act1"}, tr("… lead the avatar"), bout_->steers()},
+        {{"bout.reseed"}, tr("go on otherwise")},
+        {{"bout.keep"}, tr("keep as a take")},
         {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
         {{"graph.play"}, tr("play what is behind"), !measuring},
         {{"graph.view"}, tr("matrix or graph"), !measuring},

@@ -196,6 +196,19 @@ TEST(GeometryTerm, TinyAndEmptyClassesAreNeverNaN) {
             }
         }
     }
+    // Fewer samples than dimensions.
+    const Samples few = madeSamples({1, 2, 1, 3}, 9);
+    for (const CovarianceKind kind : kKinds) {
+        GeometrySettings settings;
+        settings.kind = kind;
+        settings.shrinkage = 0;
+        const GeometryTerm term(settings, few.rows, few.classes, few.count);
+        for (Eigen::Index i = 0; i < few.rows.rows(); ++i) {
+            const Eigen::VectorXd x = few.rows.row(i).transpose();
+            for (int label = 0; label < few.count; ++label)
+                EXPECT_TRUE(std::isfinite(term.logDensity(x, label))) << covarianceName(kind);
+        }
+    }
     // One sample of one label; dimensions that never vary.
     for (const CovarianceKind kind : kKinds) {
         GeometrySettings settings;

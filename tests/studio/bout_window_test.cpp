@@ -1,11 +1,16 @@
 // The Bout workspace in the real window: a bout that plays, goes back, is led and written.
 
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
 #include <QListView>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
 
 #include <algorithm>
 
+#include "core/base/error.h"
 #include "core/project/labels.h"
 #include "studio/app/commands.h"
 #include "studio/app/workspaces.h"
@@ -25,8 +30,8 @@ namespace {
 class BoutTest : public WindowTest {
 protected:
     void labelAll() {
-        const char* const spelled[] = {"left_punch:fwd", "right_punch:fwd", "left_kick:up",
-                                       "jump:up"};
+        const char* const spelled[] = {"left_punch:fwd+move:L-L", "right_punch:fwd+move:L-L",
+                                       "left_kick:up+move:L-L", "jump:up+move:L-L"};
         for (const int player : {0, 1}) {
             const auto count = session().fighter(player)->segmentation->actions.size();
             session().document().apply([&](const Project& project, const Analysis& analysis) {

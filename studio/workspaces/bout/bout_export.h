@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QImage>
 #include <QString>
 
 #include <functional>
@@ -22,7 +23,7 @@ void writeBout(const Project& project, const BoutTape& tape, const QString& path
 struct FilmFrames {
     int count = 0;
     double rate = 30;  ///< Hz
-    std::function<class QImage(int)> picture;
+    std::function<QImage(int)> picture;
     std::function<bool(double)> goesOn;
 };
 /// NAME-00001.png …: an error in a sentence, else empty.

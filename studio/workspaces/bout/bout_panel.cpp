@@ -241,7 +241,8 @@ QWidget* BoutPanel::makeChoice() {
     list_->setToolTip(tr("A click takes another one and goes on from there"));
     const auto takeRow = [this](const QModelIndex& index) {
         const BoutChoice* choice = candidates_->choice();
-        if (choice == nullptr || !index.isValid() || candidates_->isChosen(index.row())) return;
+        if (choice == nullptr || index.row() < 0 || index.row() >= candidates_->rowCount()) return;
+        if (candidates_->isChosen(index.row())) return;
         const Option& option = candidates_->at(index.row());
         if (option.barred == Barred::NoSample || option.barred == Barred::Mode) {
             Q_EMIT bout_.session().hinted(
