@@ -226,7 +226,8 @@ void MainWindow::shareSpace() {
     const int height = pages_->height();
     const int wished = std::min(timelineBox_->sizeHint().height(), 2 * height / 5);
     const int timeline = std::max(std::clamp(height / 4 - 4, 176, 300), wished);
-    rows_->setSizes({height - timeline - 1, timeline});
+    // The timeline, and what takes its place in the Bout workspace.
+    rows_->setSizes({height - timeline - 1, timeline, timeline});
     const int left = width() < 1600 ? 136 : 176;
     const int right = width() < 1600 ? 232 : 264;
     const int middle = width() - left - right - 2;
@@ -252,7 +253,7 @@ void MainWindow::refreshIcons() {
     commands_->refreshIcons();
     const QIcon pause = lineIcon(QStringLiteral("pause"), coloursFor(palette()).text);
     if (session_.transport().isPlaying()) commands_->action("transport.play")->setIcon(pause);
-    if (bout_->isPlaying()) commands_->action("bout.play")->setIcon(pause);
+    if (bout_ != nullptr && bout_->isPlaying()) commands_->action("bout.play")->setIcon(pause);
 }
 
 void MainWindow::showKeysHint() {

@@ -124,6 +124,8 @@ void MainWindow::addBoutWorkspace() {
     page->addStep(tr("Take over labels…"), tr("From a table of labels, or a made bout's truth"),
                   [this] { exchange_->askForImport(); });
     boutBox_ = new QWidget(rows_);
+    rows_->setStretchFactor(rows_->indexOf(boutBox_), 0);
+    rows_->setCollapsible(rows_->indexOf(boutBox_), false);
     auto* box = new QVBoxLayout(boutBox_);
     box->setContentsMargins(0, 0, 0, 0);
     box->setSpacing(0);
