@@ -17,6 +17,7 @@ struct Options {
     int seeds = ValidationSettings().seeds;
     std::uint32_t seed = ValidationSettings().seed;
     int components = ValidationSettings().components;
+    bool target = false;
     double shrinkage = GeometrySettings().shrinkage;
     bool json = false;
 };
@@ -51,9 +52,9 @@ void printText(const ModelReport& report, const Streams& streams) {
     }
     const ValidationResult& r = report.validation;
     streams.out << fmt::format(
-        "{} components cover {:.1f} % of the poses' variance\n{} splits by {}: {:.0f} transitions "
-        "a player to learn from, {:.0f} to judge by\n",
-        report.settings.components, 100 * report.covered, r.seeds,
+        "{} components cover {:.1f} % of the poses' variance, {} dimensions\n{} splits by {}: "
+        "{:.0f} transitions a player to learn from, {:.0f} to judge by\n",
+        report.settings.components, 100 * report.covered, report.settings.dimensions(), r.seeds,
         report.settings.split == SplitBy::Takes ? "takes" : "blocks", r.transitions[0],
         r.transitions[1]);
     streams.out << "label term, mean log P       train  validation      sd\n";
@@ -98,6 +99,7 @@ void runModel(const Options& o, const Streams& streams) {
     InteractionSettings settings;
     settings.estimator = estimatorNamed(o.estimator);
     settings.components = o.components;
+    if (o.target) settings.numbers = TransitionNumbers::WithTarget;
     settings.geometry.shrinkage = o.shrinkage;
     const Interaction interaction =
         deriveInteraction(open.project, analysis, settings, {}, streams.progress("training"));
@@ -118,6 +120,7 @@ void runModel(const Options& o, const Streams& streams) {
     report.settings.seed = o.seed;
     report.settings.split = o.split == "takes" ? SplitBy::Takes : SplitBy::Blocks;
     report.settings.components = o.components;
+    report.settings.numbers = settings.numbers;
     report.settings.geometry = settings.geometry;
     watch.lap();
     report.validation =
@@ -153,8 +156,16 @@ void addModel(CLI::App& app, Action& action) {
         ->check(CLI::IsMember({"EQU5", "EQU6", "EQU7"}));
     command->add_option("--components", o->components, "principal components of the pose, k")
         ->check(CLI::Range(1, kPoseNumbers));
-    command->add_option("--shrinkage", o->shrinkage, "τ of the covariances, in samples")
+    command
+        ->add_option(
+            "--shrinkage", o->shrinkage,
+            "τ, samples of what all labels vary that count with a label's own, and κ = τ/10 "
+            "samples of their mean; 0: the plain method")
         ->check(CLI::Range(0.0, 1e6));
+    command->add_flag(
+        "--target", o->target,
+        "geometry term of an avatar: two dimensions more, where the mover stands half "
+        "a second later");
     command->add_flag("--json", o->json, "one JSON object on standard output");
     command->footer(
         "Labels that count are those in the project: by hand, imported or accepted.\n"

@@ -1,9 +1,12 @@
+#include <cmath>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/base/text.h"
 #include "core/cli/command.h"
 #include "core/formats/json_text.h"
+#include "core/interaction/surprise.h"
 #include "core/project/interaction.h"
 
 namespace kumite::cli {
@@ -97,7 +100,7 @@ void printJson(const Interaction& interaction, const Question& question, const O
     if (surprise) {
         json["surprise"] = {{"label", rounded(surprise->label)},
                             {"geometry", rounded(surprise->geometry)},
-                            {"total", rounded(surprise->total)}};
+                            {"both", rounded(surprise->both)}};
     }
     Json& next = json["next"] = Json::array();
     for (const NextLabel& each : ranked) {
@@ -128,10 +131,12 @@ void printText(const Interaction& interaction, const Question& question, const O
                                question.opponent);
     if (surprise) {
         streams.out << fmt::format(
-            "what happened: surprise {:.2f} (label {:.2f}, geometry {:+.2f}; an even guess "
-            "{:.2f})\n",
-            surprise->total, surprise->label, surprise->geometry,
-            uniformSurprise(*interaction.models[static_cast<std::size_t>(mover)]));
+            "what came next, to a model that had not seen it: label {:.2f} nats (P {:.3f}), label "
+            "seen the motion {:.2f} nats (P {:.3f}), an even guess {:.2f} nats; geometry {:+.1f} "
+            "nats from the mean\n",
+            surprise->label, std::exp(-surprise->label), surprise->both, std::exp(-surprise->both),
+            uniformSurprise(*interaction.models[static_cast<std::size_t>(mover)]),
+            surprise->geometry);
     }
     streams.out << (geometry ? "product  label  geometry  examples  next\n"
                              : "  label  examples  next\n");

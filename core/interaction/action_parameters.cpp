@@ -91,12 +91,14 @@ TransitionGround transitionGround(const FighterTrack& mover, const FighterTrack&
 
 Eigen::VectorXd transitionNumbers(const GroundFrame& frame, const ActionSummary& own,
                                   const ActionSummary& opponent, const ActionSummary* next,
-                                  const PoseSpace& space, int k) {
+                                  const PoseSpace& space, int k, const Eigen::Vector2d* target) {
     const int size = 2 * (3 + k);
-    Eigen::VectorXd numbers((next ? 3 : 2) * size);
+    const int now = 2 * size + (target ? 2 : 0);
+    Eigen::VectorXd numbers(now + (next ? size : 0));
     numbers.head(size) = actionNumbers(own, frame, frame.yaw, space, k);
     numbers.segment(size, size) =
         actionNumbers(opponent, frame, frame.yaw + std::numbers::pi, space, k);
+    if (target) numbers.segment<2>(2 * size) = *target;
     if (next) numbers.tail(size) = actionNumbers(*next, frame, frame.yaw, space, k);
     return numbers;
 }

@@ -62,9 +62,11 @@ inline constexpr double kTargetSeconds = 0.5;
 TransitionGround transitionGround(const FighterTrack& mover, const FighterTrack& opponent,
                                   int frame);
 
-/// n¹ᵢ, n²ⱼ and, if `next` is given, n¹ᵢ₊₁ side by side in the transition's frame.
+/// n¹ᵢ, n²ⱼ, the avatar's target c if it is given (two numbers, in the transition's frame) and, if
+/// `next` is given, n¹ᵢ₊₁ side by side in the transition's frame: 36 numbers at k = 3, 38 with c.
 Eigen::VectorXd transitionNumbers(const GroundFrame& frame, const ActionSummary& own,
                                   const ActionSummary& opponent, const ActionSummary* next,
-                                  const PoseSpace& space, int k);
+                                  const PoseSpace& space, int k,
+                                  const Eigen::Vector2d* target = nullptr);
 
 }  // namespace kumite

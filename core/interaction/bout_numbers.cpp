@@ -1,6 +1,7 @@
 #include "core/interaction/bout_numbers.h"
 
 #include <cassert>
+#include <limits>
 
 namespace kumite {
 
@@ -27,18 +28,26 @@ BoutNumbers boutNumbers(const CoupledGraph& graph, const std::vector<TakeTracks>
 }
 
 Eigen::MatrixXd transitionMatrix(const CoupledGraph& graph, const BoutNumbers& numbers, int mover,
-                                 const PoseSpace& space, int k) {
+                                 const PoseSpace& space, int k, TransitionNumbers kind) {
     const auto slot = static_cast<std::size_t>(mover);
     const std::vector<Transition>& transitions = graph.transitions[slot];
-    Eigen::MatrixXd rows(static_cast<Eigen::Index>(transitions.size()), 6 * (3 + k));
+    const bool targets = kind == TransitionNumbers::WithTarget;
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(transitions.size()),
+                         6 * (3 + k) + (targets ? 2 : 0));
     for (std::size_t i = 0; i < transitions.size(); ++i) {
         const Transition& t = transitions[i];
+        const TransitionGround& ground = numbers.grounds[slot][i];
+        auto row = rows.row(static_cast<Eigen::Index>(i));
+        if (targets && !ground.target) {
+            row.setConstant(std::numeric_limits<double>::quiet_NaN());
+            continue;
+        }
         const auto& own = numbers.summaries[slot];
-        rows.row(static_cast<Eigen::Index>(i)) =
-            transitionNumbers(numbers.grounds[slot][i].frame, own[static_cast<std::size_t>(t.own)],
-                              numbers.summaries[1 - slot][static_cast<std::size_t>(t.opponent)],
-                              &own[static_cast<std::size_t>(t.next)], space, k)
-                .transpose();
+        row = transitionNumbers(ground.frame, own[static_cast<std::size_t>(t.own)],
+                                numbers.summaries[1 - slot][static_cast<std::size_t>(t.opponent)],
+                                &own[static_cast<std::size_t>(t.next)], space, k,
+                                targets ? &*ground.target : nullptr)
+                  .transpose();
     }
     return rows;
 }

@@ -21,8 +21,14 @@ struct BoutNumbers {
 /// `tracks` by take. Every transition's fighters need one.
 BoutNumbers boutNumbers(const CoupledGraph& graph, const std::vector<TakeTracks>& tracks);
 
-/// The numbers of every transition of a mover, row by row: (n¹ᵢ, n²ⱼ, n¹ᵢ₊₁), 6·(3 + k) columns.
+/// What a transition's numbers are: (n¹ᵢ, n²ⱼ, n¹ᵢ₊₁), or for an avatar (n¹ᵢ, n²ⱼ, c, n¹ᵢ₊₁) with
+/// its target c, where it stands half a second later (method A8, A9).
+enum class TransitionNumbers { Plain, WithTarget };
+
+/// The numbers of every transition of a mover, row by row: 6·(3 + k) columns, two more with
+/// targets. A transition so near its take's end that its target is not known has a row of NaN.
 Eigen::MatrixXd transitionMatrix(const CoupledGraph& graph, const BoutNumbers& numbers, int mover,
-                                 const PoseSpace& space, int k);
+                                 const PoseSpace& space, int k,
+                                 TransitionNumbers kind = TransitionNumbers::Plain);
 
 }  // namespace kumite

@@ -41,17 +41,19 @@ struct Round {
 class Holdout {
 public:
     Holdout(const CoupledGraph& graph, const BoutNumbers& numbers, const BoutSplit& split,
-            int mover)
-        : graph_(graph), numbers_(numbers), mover_(mover) {
+            int mover, TransitionNumbers kind)
+        : graph_(graph), numbers_(numbers), mover_(mover), kind_(kind) {
         const auto& sides = split.sides[static_cast<std::size_t>(mover)];
+        const auto& grounds = numbers.grounds[static_cast<std::size_t>(mover)];
         for (std::size_t i = 0; i < sides.size(); ++i) {
-            if (sides[i] == HoldoutSide::Training) training_.push_back(i);
-            if (sides[i] == HoldoutSide::Validation) validation_.push_back(i);
+            const bool known = kind == TransitionNumbers::Plain || grounds[i].target.has_value();
+            if (sides[i] == HoldoutSide::Training) training_.add(i, known);
+            if (sides[i] == HoldoutSide::Validation) validation_.add(i, known);
         }
     }
-    bool usable() const { return !training_.empty() && !validation_.empty(); }
-    std::size_t trainingCount() const { return training_.size(); }
-    std::size_t validationCount() const { return validation_.size(); }
+    bool usable() const { return !training_.known.empty() && !validation_.known.empty(); }
+    std::size_t trainingCount() const { return training_.all.size(); }
+    std::size_t validationCount() const { return validation_.all.size(); }
 
     Scores labelTerm(LabelEstimator estimator) const {
         const auto labels = [&](int player) {
@@ -61,11 +63,11 @@ public:
             return all;
         };
         std::vector<LabelTriple> triples;
-        for (const std::size_t i : training_)
+        for (const std::size_t i : training_.all)
             triples.push_back(triple(i));
         const LabelTerm term(estimator, *graph_.vocabulary, labels(mover_), labels(1 - mover_),
                              triples);
-        return score([&](std::size_t i) {
+        return score(&Side::all, [&](std::size_t i) {
             const LabelTriple t = triple(i);
             return term.logProbabilities(t.own, t.opponent)[static_cast<std::size_t>(t.next)];
         });
@@ -74,23 +76,23 @@ public:
     /// Over rows of numbers by transition; `labels` false: one Gaussian for all.
     Scores geometryTerm(const Eigen::MatrixXd& rows, const GeometrySettings& settings, bool labels,
                         const Progress& progress) const {
-        Eigen::MatrixXd samples(static_cast<Eigen::Index>(training_.size()), rows.cols());
+        Eigen::MatrixXd samples(static_cast<Eigen::Index>(training_.known.size()), rows.cols());
         std::vector<int> classes;
         const auto classOf = [&](std::size_t i) { return labels ? triple(i).next : 0; };
-        for (const std::size_t i : training_) {
+        for (const std::size_t i : training_.known) {
             samples.row(static_cast<Eigen::Index>(classes.size())) =
                 rows.row(static_cast<Eigen::Index>(i));
             classes.push_back(classOf(i));
         }
         const GeometryTerm term(settings, samples, classes, labels ? graph_.nodeCount(mover_) : 1,
                                 progress);
-        return score([&](std::size_t i) {
+        return score(&Side::known, [&](std::size_t i) {
             return term.logDensity(rows.row(static_cast<Eigen::Index>(i)).transpose(), classOf(i));
         });
     }
 
     Eigen::MatrixXd rows(const PoseSpace& space, int k) const {
-        return transitionMatrix(graph_, numbers_, mover_, space, k);
+        return transitionMatrix(graph_, numbers_, mover_, space, k, kind_);
     }
 
 private:
@@ -98,21 +100,30 @@ private:
         const Transition& t = graph_.transitionsOf(mover_)[i];
         return {t.ownNode, t.opponentNode, t.nextNode};
     }
+    /// Transitions of a side: all of them, and those whose numbers are known.
+    struct Side {
+        std::vector<std::size_t> all, known;
+        void add(std::size_t transition, bool isKnown) {
+            all.push_back(transition);
+            if (isKnown) known.push_back(transition);
+        }
+    };
     template <typename LogOf>
-    Scores score(const LogOf& logOf) const {
+    Scores score(std::vector<std::size_t> Side::*which, const LogOf& logOf) const {
         const auto mean = [&](const std::vector<std::size_t>& side) {
             double sum = 0;
             for (const std::size_t i : side)
                 sum += logOf(i);
             return sum / static_cast<double>(side.size());
         };
-        return {mean(training_), mean(validation_)};
+        return {mean(training_.*which), mean(validation_.*which)};
     }
 
     const CoupledGraph& graph_;
     const BoutNumbers& numbers_;
     int mover_;
-    std::vector<std::size_t> training_, validation_;
+    TransitionNumbers kind_;
+    Side training_, validation_;
 };
 
 /// Principal components of the frames of all actions that training sees.
@@ -260,7 +271,7 @@ ValidationResult crossValidate(const CoupledGraph& graph, const BoutNumbers& num
         progress.update(0.1 + 0.9 * job.begin / (2 * settings.seeds));
         const auto seed = static_cast<std::size_t>(job.begin / 2);
         const int mover = job.begin % 2;
-        const Holdout holdout(graph, numbers, splits[seed], mover);
+        const Holdout holdout(graph, numbers, splits[seed], mover, settings.numbers);
         rounds[seed][static_cast<std::size_t>(mover)] =
             playRound(holdout, spaces[seed], settings, progress);
     });

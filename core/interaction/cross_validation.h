@@ -22,7 +22,14 @@ struct ValidationSettings {
     double blockSeconds = 10;  ///< at most; shorter where the bout has fewer than nine such
     int components = 3;        ///< k of Tables 2 and 3
     int maxComponents = 12;    ///< of Fig. 11
+    /// Of the geometry term. WithTarget: transitions without a target are left out of it.
+    TransitionNumbers numbers = TransitionNumbers::Plain;
     GeometrySettings geometry;
+
+    /// Of the Gaussians.
+    int dimensions() const {
+        return 6 * (3 + components) + (numbers == TransitionNumbers::WithTarget ? 2 : 0);
+    }
 };
 
 enum class HoldoutSide : std::uint8_t { Training, Validation, LeftOut };

@@ -166,6 +166,9 @@ SemiTied trainSemiTied(std::span<const ClassMoments> given, const SemiTiedSettin
             const Eigen::VectorXd weights = counts.cwiseQuotient(variances.row(i).transpose());
             covariances.weightedSum(weights, scatter);
             const Eigen::VectorXd row = bestRow(scatter, inverse.col(i), samples);
+            // Without shrinkage, fewer samples than dimensions: the likelihood has no highest
+            // point.
+            if (!row.allFinite()) continue;
             // Sherman–Morrison: the inverse after row i has changed.
             const Eigen::RowVectorXd change = (row.transpose() - a.row(i)) * inverse;
             const Eigen::VectorXd column = inverse.col(i);

@@ -43,7 +43,9 @@ struct SemiTiedSettings {
 };
 
 /// Maximum likelihood by sweeps over the rows of A. Covariances must be positive definite in sum;
-/// classes with a count of 0 take no part but get their variances. Cancellable.
+/// classes with a count of 0 take no part but get their variances. Where
+/// they are not (no shrinkage, fewer samples than dimensions), rows without a best value stay as
+/// they are. Cancellable.
 SemiTied trainSemiTied(std::span<const ClassMoments> classes, const SemiTiedSettings& settings = {},
                        const Progress& progress = {});
 

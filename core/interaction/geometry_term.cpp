@@ -129,9 +129,8 @@ GeometryTerm::GeometryTerm(const GeometrySettings& settings, const Eigen::Matrix
         gaussian.count = moments[m].count;
         gaussian.transform = transforms_.size() > 1 ? static_cast<int>(m) : 0;
         // The global mean is 0 in standardised numbers.
-        const double own = raw || gaussian.count <= 0
-                               ? 1.0
-                               : gaussian.count / (gaussian.count + settings.meanShrinkage);
+        const double own =
+            gaussian.count > 0 ? gaussian.count / (gaussian.count + settings.meanShrinkage()) : 0;
         gaussian.mean =
             own * (transforms_[static_cast<std::size_t>(gaussian.transform)] * moments[m].mean);
         gaussian.variances = variances[m];
@@ -170,6 +169,17 @@ double GeometryTerm::logDensity(const Eigen::VectorXd& numbers, int label) const
     return logDensityAt(turned(numbers, label), label);
 }
 
+std::vector<double> GeometryTerm::logDensities(const Eigen::VectorXd& numbers) const {
+    std::vector<double> all;
+    Eigen::VectorXd y;
+    for (int label = 0; label < static_cast<int>(gaussians_.size()); ++label) {
+        // Turned once where the axes are shared.
+        if (label == 0 || transforms_.size() > 1) y = turned(numbers, label);
+        all.push_back(logDensityAt(y, label));
+    }
+    return all;
+}
+
 double GeometryTerm::logDensityWithout(const Eigen::VectorXd& numbers, int label) const {
     const Gaussian& gaussian = gaussians_[static_cast<std::size_t>(label)];
     const Eigen::VectorXd y = turned(numbers, label);
@@ -184,7 +194,7 @@ double GeometryTerm::logDensityWithout(const Eigen::VectorXd& numbers, int label
         rest.variances = pooled;
     } else {
         // Along each axis; the axes stay those that were found with the sample.
-        const double kappa = settings_.meanShrinkage;
+        const double kappa = settings_.meanShrinkage();
         const Eigen::VectorXd sum = (n + kappa) * gaussian.mean;
         const Eigen::ArrayXd squares =
             (n + tau) * gaussian.variances.array() - n / (n - 1) * (y - sum / n).array().square();

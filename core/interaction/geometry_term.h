@@ -17,10 +17,10 @@ std::string_view covarianceName(CovarianceKind kind);  ///< "SEMITIED"
 
 struct GeometrySettings {
     CovarianceKind kind = CovarianceKind::SemiTied;
-    double shrinkage = 20;  ///< τ, samples
-    /// κ, samples of the global mean that count with a label's own: the mean of a label seen once
-    /// or twice is mostly chance. Not of FullRaw.
-    double meanShrinkage = 2;
+    /// τ, samples of what all vary that count with a label's own; 0: the plain method.
+    double shrinkage = 20;
+    /// κ, the same of the global mean: the mean of a label seen once or twice is mostly chance.
+    double meanShrinkage() const { return kind == CovarianceKind::FullRaw ? 0 : 0.1 * shrinkage; }
     double eigenvalueFloor = 1e-3;  ///< of FullRaw, standardised units
     SemiTiedSettings semiTied;
 
@@ -43,6 +43,8 @@ public:
 
     /// log density of the numbers under a label's Gaussian.
     double logDensity(const Eigen::VectorXd& numbers, int label) const;
+    /// By label.
+    std::vector<double> logDensities(const Eigen::VectorXd& numbers) const;
     /// The same by a Gaussian from which this sample, one of the label's own, is taken away: its
     /// mean and its spread; standardisation, H and the shape of all stay as they are. FullRaw: as
     /// trained, because a floor hides what the sample did.

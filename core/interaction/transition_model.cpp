@@ -50,7 +50,7 @@ void findBestExamples(const TransitionModel& model, const Eigen::VectorXd& momen
         const double density = model.geometry.logDensityAt(
             now[node] + model.nextTurned.row(static_cast<Eigen::Index>(i)).transpose(),
             transitions[i].nextNode);
-        if (density <= candidates[node].logDensity) continue;
+        if (!(density > candidates[node].logDensity)) continue;  // nor where it is not known
         candidates[node].logDensity = density;
         candidates[node].bestTransition = static_cast<int>(i);
     }
@@ -70,17 +70,24 @@ TransitionModel learnTransitionModel(std::shared_ptr<const CoupledGraph> graph, 
     const std::vector<Transition>& transitions = model.graph->transitionsOf(mover);
     if (transitions.empty()) return model;
     std::vector<int> classes;
-    for (const Transition& t : transitions)
-        classes.push_back(t.nextNode);
-    model.geometry =
-        GeometryTerm(settings, model.numbers, classes, model.graph->nodeCount(mover), progress);
-    const Eigen::Index third = model.numbers.cols() / 3;
+    std::vector<Eigen::Index> known;
+    for (Eigen::Index i = 0; i < model.numbers.rows(); ++i) {
+        if (model.numbers.row(i).hasNaN()) continue;
+        known.push_back(i);
+        classes.push_back(transitions[static_cast<std::size_t>(i)].nextNode);
+    }
+    if (known.empty()) return model;
+    model.geometry = GeometryTerm(settings, model.numbers(known, Eigen::all), classes,
+                                  model.graph->nodeCount(mover), progress);
+    // Of n¹ᵢ₊₁, which stands last; a target's two numbers are no part of any n.
+    const Eigen::Index size = model.numbers.cols() / 3;
+    const auto first = static_cast<int>(model.numbers.cols() - size);
     model.nextTurned.resize(model.numbers.rows(), model.numbers.cols());
     for (Eigen::Index i = 0; i < model.numbers.rows(); ++i) {
         model.nextTurned.row(i) =
             model.geometry
-                .turnedPart(model.numbers.row(i).tail(third).transpose(),
-                            static_cast<int>(2 * third), classes[static_cast<std::size_t>(i)])
+                .turnedPart(model.numbers.row(i).tail(size).transpose(), first,
+                            transitions[static_cast<std::size_t>(i)].nextNode)
                 .transpose();
     }
     return model;
@@ -113,29 +120,6 @@ std::vector<NextLabel> nextLabels(const TransitionModel& model, int own, int opp
     std::stable_sort(candidates.begin(), candidates.end(),
                      [](const NextLabel& a, const NextLabel& b) { return a.product > b.product; });
     return candidates;
-}
-
-std::vector<Surprise> surprises(const TransitionModel& model) {
-    std::vector<Surprise> all;
-    double sum = 0;
-    for (const LabelTriple& triple : labelTriples(model.graph->transitionsOf(model.mover))) {
-        const auto row = static_cast<Eigen::Index>(all.size());
-        Surprise surprise;
-        surprise.label = -model.labels.logWithout(triple);
-        surprise.geometry =
-            -model.geometry.logDensityWithout(model.numbers.row(row).transpose(), triple.next);
-        sum += surprise.geometry;
-        all.push_back(surprise);
-    }
-    for (Surprise& surprise : all) {
-        surprise.geometry -= sum / static_cast<double>(all.size());
-        surprise.total = surprise.label + surprise.geometry;
-    }
-    return all;
-}
-
-double uniformSurprise(const TransitionModel& model) {
-    return std::log(std::max(1, model.labels.nodeCount()));
 }
 
 }  // namespace kumite

@@ -16,11 +16,14 @@ struct TransitionModel {
     int mover = 0;  ///< player index
     LabelTerm labels;
     TransitionCounts counts;
-    GeometryTerm geometry;    ///< untrained where the mover has no transition
-    Eigen::MatrixXd numbers;  ///< a row (n¹ᵢ, n²ⱼ, n¹ᵢ₊₁) per transition of the mover
+    GeometryTerm geometry;  ///< untrained where the mover has no transition
+    /// A row (n¹ᵢ, n²ⱼ, n¹ᵢ₊₁) per transition of the mover, or (n¹ᵢ, n²ⱼ, c, n¹ᵢ₊₁) of an avatar.
+    Eigen::MatrixXd numbers;
     /// Of each row's n¹ᵢ₊₁, what it adds to the turned numbers of its label's Gaussian.
     Eigen::MatrixXd nextTurned;
 };
+/// `numbers` as transitionMatrix gives them. A transition whose row holds a NaN teaches the label
+/// term alone and is never a candidate's example.
 TransitionModel learnTransitionModel(std::shared_ptr<const CoupledGraph> graph, int mover,
                                      LabelEstimator estimator, const GeometrySettings& settings,
                                      Eigen::MatrixXd numbers, const Progress& progress = {});
@@ -41,27 +44,11 @@ struct NextLabel {
 };
 
 /// What-if: all of the mover's nodes as the next one, the likeliest first (ties: in the order of
-/// nodes). kAnyNode leaves open what somebody does. `moment`: n¹ᵢ and n²ⱼ as they are now (see
-/// transitionNumbers), which brings the geometry term in; a node without any example then has
-/// nothing that could follow, and a product of 0.
+/// nodes). kAnyNode leaves open what somebody does. `moment`: n¹ᵢ and n²ⱼ as they are now, for an
+/// avatar's model with the target that is wished for behind them (see transitionNumbers), which
+/// brings the geometry term in; a node without any example then has nothing that could follow, and
+/// a product of 0.
 std::vector<NextLabel> nextLabels(const TransitionModel& model, int own, int opponent,
                                   const Eigen::VectorXd* moment = nullptr);
-
-/// How unexpected an observed transition is, in nats, by a model that had been learnt without it;
-/// higher is stranger.
-struct Surprise {
-    double label = 0;     ///< −log of the label term
-    double geometry = 0;  ///< −log of the geometry term, minus its mean over the transitions
-    double total = 0;     ///< the sum
-};
-/// One per transition of the model's mover. The label term is learnt anew without each transition,
-/// exactly; of the geometry term, the mean and the spread of the transition's label are (see
-/// GeometryTerm::logDensityWithout). As trained, the only example of a label would seem as usual
-/// as can be.
-std::vector<Surprise> surprises(const TransitionModel& model);
-
-/// −log of an even guess among the mover's labels: where surprise begins to mean that the model is
-/// worse than knowing nothing.
-double uniformSurprise(const TransitionModel& model);
 
 }  // namespace kumite

@@ -59,16 +59,30 @@ double yAt(const Axis& axis, double value) {
     return kHeight - kBottom - axis.share(value) * (kHeight - kTop - kBottom);
 }
 
-/// The vertical axis with its grid, over all values and their error bars.
-Axis drawYAxis(const std::vector<ChartSeries>& series, bool withZero, const std::string& title,
+/// Beyond so many times what all other bars span a bar is cut off, or the others could not be seen.
+constexpr double kFarOut = 8;
+
+/// The vertical axis with its grid, over all values and their error bars; of bars (they begin at 0)
+/// without those that are far out.
+Axis drawYAxis(const std::vector<ChartSeries>& series, bool bars, const std::string& title,
                std::string& svg) {
-    double low = withZero ? 0 : INFINITY, high = withZero ? 0 : -INFINITY;
+    std::vector<ChartSeries::Point> points;
     for (const ChartSeries& each : series) {
         for (const ChartSeries::Point& point : each.points) {
-            if (!std::isfinite(point.y)) continue;
-            low = std::min(low, point.y - point.deviation);
-            high = std::max(high, point.y + point.deviation);
+            if (std::isfinite(point.y)) points.push_back(point);
         }
+    }
+    if (bars) {
+        std::sort(points.begin(), points.end(),
+                  [](const auto& a, const auto& b) { return std::abs(a.y) < std::abs(b.y); });
+        while (points.size() > 1 &&
+               std::abs(points.back().y) > kFarOut * std::abs(points[points.size() - 2].y))
+            points.pop_back();
+    }
+    double low = bars ? 0 : INFINITY, high = bars ? 0 : -INFINITY;
+    for (const ChartSeries::Point& point : points) {
+        low = std::min(low, point.y - point.deviation);
+        high = std::max(high, point.y + point.deviation);
     }
     if (!std::isfinite(low)) low = 0, high = 1;
     const Axis axis(low, high);
@@ -172,11 +186,22 @@ std::string barChartSvg(const std::string& title, const std::string& yTitle,
             const ChartSeries::Point& point = series[s].points[g];
             if (!std::isfinite(point.y)) continue;
             const double x = left + static_cast<double>(s) * bar;
-            const double top = std::min(yAt(y, 0), yAt(y, point.y));
+            const double end = yAt(y, std::clamp(point.y, y.low, y.high));
+            const double top = std::min(yAt(y, 0), end);
             svg += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>\n",
-                               at(x), at(top), at(bar - 2),
-                               at(std::abs(yAt(y, 0) - yAt(y, point.y))), series[s].colour);
-            svg += errorBar(y, x + bar / 2 - 1, point);
+                               at(x), at(top), at(bar - 2), at(std::abs(yAt(y, 0) - end)),
+                               series[s].colour);
+            if (point.y >= y.low && point.y <= y.high) {
+                svg += errorBar(y, x + bar / 2 - 1, point);
+                continue;
+            }
+            // It goes on beyond the axis: a gap, and how far.
+            const double inside = point.y < y.low ? end - 14 : end + 14;
+            svg +=
+                fmt::format("<path d=\"M{} {} l{} -8\" stroke=\"#ffffff\" stroke-width=\"4\"/>\n",
+                            at(x - 2), at(inside + 4), at(bar + 2));
+            svg += label(x + bar / 2 - 1, inside + (point.y < y.low ? -10 : 20), fixed(point.y, 0),
+                         "middle", " font-size=\"10\"");
         }
         svg += label(left + 0.4 * group, kHeight - kBottom + 18, groups[g], "middle");
     }
@@ -186,12 +211,20 @@ std::string barChartSvg(const std::string& title, const std::string& yTitle,
 
 std::string heatMapSvg(const std::string& title, const std::vector<std::string>& rows,
                        const std::vector<std::string>& columns, const Eigen::MatrixXd& values) {
-    constexpr double kCell = 14, kNames = 260, kHead = 250;
-    std::string svg = opened(kNames + kCell * static_cast<double>(columns.size()) + 40,
-                             kHead + kCell * static_cast<double>(rows.size()) + 20, title);
+    constexpr double kCell = 14, kLetter = 5.8, kTitle = 40;
+    const auto room = [](const std::vector<std::string>& names) {
+        std::size_t longest = 8;
+        for (const std::string& name : names)
+            longest = std::max(longest, name.size());
+        return kLetter * static_cast<double>(longest) + 12;
+    };
+    const double names = 16 + room(rows), head = kTitle + room(columns);
+    const double width = names + kCell * static_cast<double>(columns.size()) + 24;
+    std::string svg =
+        opened(std::max(width, 320.0), head + kCell * static_cast<double>(rows.size()) + 20, title);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double y = kHead + kCell * static_cast<double>(i);
-        svg += label(kNames - 6, y + 11, rows[i], "end", " font-size=\"10\"");
+        const double y = head + kCell * static_cast<double>(i);
+        svg += label(names - 6, y + 11, rows[i], "end", " font-size=\"10\"");
         for (std::size_t j = 0; j < columns.size(); ++j) {
             const double value = values(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
             if (!std::isfinite(value)) continue;
@@ -199,7 +232,7 @@ std::string heatMapSvg(const std::string& title, const std::vector<std::string>&
             svg += fmt::format(
                 "<rect x=\"{}\" y=\"{}\" width=\"13\" height=\"13\" fill=\"#{:02x}{:02x}{:02x}\">"
                 "<title>{} → {}: {}</title></rect>\n",
-                at(kNames + kCell * static_cast<double>(j)), at(y),
+                at(names + kCell * static_cast<double>(j)), at(y),
                 static_cast<int>(255 - 245 * ink), static_cast<int>(255 - 175 * ink),
                 static_cast<int>(255 - 90 * ink), xmlText(rows[i]), xmlText(columns[j]),
                 fixed(value, 3));
@@ -208,7 +241,7 @@ std::string heatMapSvg(const std::string& title, const std::vector<std::string>&
     for (std::size_t j = 0; j < columns.size(); ++j) {
         svg += label(0, 0, columns[j], "start",
                      fmt::format(" font-size=\"10\" transform=\"translate({} {}) rotate(-90)\"",
-                                 at(kNames + kCell * static_cast<double>(j) + 11), at(kHead - 6)));
+                                 at(names + kCell * static_cast<double>(j) + 11), at(head - 6)));
     }
     return svg + "</svg>\n";
 }

@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/formats/json_text.h"
 #include "core/formats/tables.h"
+#include "core/interaction/surprise.h"
 #include "core/project/chart_svg.h"
 
 namespace kumite {
@@ -86,7 +87,8 @@ Json playerJson(const Interaction& interaction, int player) {
                                {"opponent", t.opponentNode},
                                {"next", t.nextNode},
                                {"label_surprise", rounded(strange[i].label)},
-                               {"geometry_surprise", rounded(strange[i].geometry)}});
+                               {"geometry_surprise", rounded(strange[i].geometry)},
+                               {"surprise", rounded(strange[i].both)}});
     }
     Json table = Json::object();
     for (int a = 0; a < graph.vocabulary->size(); ++a) {

@@ -1,6 +1,7 @@
 #include "core/project/interaction.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include <fmt/format.h>
 
@@ -101,6 +102,20 @@ std::vector<FighterPoses> fighterPoses(const Analysis& analysis, const Interacti
     return all;
 }
 
+/// Two pieces of work at the same time as halves of one.
+std::array<Progress, 2> sideBySide(const Progress& whole) {
+    std::array<Progress, 2> halves{whole, whole};
+    if (!whole.report) return halves;
+    const auto done = std::make_shared<std::array<std::atomic<double>, 2>>();
+    for (std::size_t i = 0; i < 2; ++i) {
+        halves[i].report = [report = whole.report, done, i](double fraction) {
+            (*done)[i] = fraction;
+            report(0.5 * ((*done)[0] + (*done)[1]));
+        };
+    }
+    return halves;
+}
+
 std::shared_ptr<const PoseSpace> commonSpace(const std::vector<FighterPoses>& fighters,
                                              const Interaction& previous) {
     const bool known =
@@ -156,13 +171,14 @@ Interaction deriveInteraction(const Project& project, const Analysis& analysis,
         return now;
     }
     now.numbers = numbers;
+    const std::array<Progress, 2> training = sideBySide(progress.part(0.4, 1));
     forBlocks({0, 2}, 1, [&](FrameRange movers) {
         const int mover = movers.begin;
-        now.models[static_cast<std::size_t>(mover)] =
-            std::make_shared<const TransitionModel>(learnTransitionModel(
-                now.graph, mover, settings.estimator, settings.geometry,
-                transitionMatrix(*now.graph, *now.numbers, mover, *now.poses, settings.components),
-                mover == 0 ? progress.part(0.4, 1) : Progress{{}, progress.stop}));
+        now.models[static_cast<std::size_t>(mover)] = std::make_shared<const TransitionModel>(
+            learnTransitionModel(now.graph, mover, settings.estimator, settings.geometry,
+                                 transitionMatrix(*now.graph, *now.numbers, mover, *now.poses,
+                                                  settings.components, settings.numbers),
+                                 training[static_cast<std::size_t>(mover)]));
     });
     progress.update(1);
     return now;
@@ -218,9 +234,13 @@ Moment momentAt(const Analysis& analysis, const Interaction& interaction, int ta
     const auto summary = [&](std::size_t player, int action) -> const ActionSummary& {
         return interaction.numbers->summaries[player][static_cast<std::size_t>(action)];
     };
-    moment.numbers = transitionNumbers(ground.frame, summary(slot, moment.ownAction),
-                                       summary(1 - slot, moment.opponentAction), nullptr,
-                                       *interaction.poses, interaction.settings.components);
+    const bool led = interaction.settings.numbers == TransitionNumbers::WithTarget;
+    if (!led || ground.target) {
+        moment.numbers =
+            transitionNumbers(ground.frame, summary(slot, moment.ownAction),
+                              summary(1 - slot, moment.opponentAction), nullptr, *interaction.poses,
+                              interaction.settings.components, led ? &*ground.target : nullptr);
+    }
     const auto found = transitionAt(graph, mover, take, frame);
     if (found) {
         const Transition& t = graph.transitionsOf(mover)[static_cast<std::size_t>(*found)];

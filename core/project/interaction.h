@@ -18,6 +18,8 @@ struct InteractionSettings {
     LabelEstimator estimator = LabelEstimator::Equ7;
     GeometrySettings geometry;
     int components = 3;  ///< k, principal components of local poses, 1 … 51
+    /// WithTarget: two dimensions more, for movers that are led by a place to be (38 at k = 3).
+    TransitionNumbers numbers = TransitionNumbers::Plain;
 
     bool operator==(const InteractionSettings&) const = default;
 };
@@ -66,8 +68,8 @@ struct Moment {
     int opponent = kAnyNode;
     int ownAction = -1;  ///< of B; -1: none
     int opponentAction = -1;
-    /// n¹ᵢ and n²ⱼ over whole actions, in the frame of reference of this moment; empty where one of
-    /// them is missing.
+    /// n¹ᵢ and n²ⱼ over whole actions, in the frame of reference of this moment, and in a model with
+    /// targets where the mover really is half a second later; empty where one of them is missing.
     Eigen::VectorXd numbers;
     /// The observed transition whose next action begins at this very frame.
     std::optional<int> transition;

@@ -136,6 +136,8 @@ std::string modelJson(const ModelReport& report) {
     json["labels"] = {report.players[0].labels, report.players[1].labels};
     json["transitions"] = {report.players[0].transitions, report.players[1].transitions};
     json["variance_covered"] = rounded(report.covered);
+    json["dimensions"] = report.settings.dimensions();
+    json["shrinkage_tau"] = rounded(report.settings.geometry.shrinkage);
     Json& labels = json["label_term"] = Json::object();
     for (const auto estimator : {LabelEstimator::Equ5, LabelEstimator::Equ6, LabelEstimator::Equ7,
                                  LabelEstimator::Uniform})

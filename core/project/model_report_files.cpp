@@ -1,4 +1,6 @@
 // The report as files: Markdown, tables and pictures.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "core/base/files.h"
@@ -61,12 +63,17 @@ std::string componentsCsv(const ValidationResult& result) {
     return text;
 }
 
+/// Nats with two digits; a density that collapsed (no shrinkage, few samples) by its size alone.
+std::string nats(double value) {
+    return std::abs(value) < 1e5 ? fixed(value, 2) : fmt::format("{:.0e}", value);
+}
+
 std::string averagesMarkdown(const std::string& first, const std::vector<NamedAverages>& rows) {
     std::string text =
         "| " + first + " | training | validation | ± |\n| --- | ---: | ---: | ---: |\n";
     for (const NamedAverages& row : rows) {
-        text += fmt::format("| {} | {} | {} | {} |\n", row.name, fixed(row.averages.train, 2),
-                            fixed(row.averages.validation, 2), fixed(row.averages.deviation, 2));
+        text += fmt::format("| {} | {} | {} | {} |\n", row.name, nats(row.averages.train),
+                            nats(row.averages.validation), nats(row.averages.deviation));
     }
     return text;
 }
@@ -165,8 +172,11 @@ std::string modelMarkdown(const ModelReport& report, const Vocabulary& vocabular
         fixed(r.transitions[0], 0), fixed(r.transitions[1], 0));
     text += "\n## Table 2: label term\n\n" + averagesMarkdown("estimator", labelRows(r)) +
             "\n![Table 2](table2.svg)\n";
-    text += fmt::format("\n## Table 3: geometry term, k = {}, {} % of the variance\n\n",
-                        report.settings.components, fixed(100 * report.covered, 1)) +
+    text += fmt::format(
+                "\n## Table 3: geometry term, k = {}, {} % of the variance, {} dimensions, "
+                "τ = {}\n\n",
+                report.settings.components, fixed(100 * report.covered, 1),
+                report.settings.dimensions(), shortest(report.settings.geometry.shrinkage)) +
             averagesMarkdown("covariance", geometryRows(r)) + "\n![Table 3](table3.svg)\n";
     text += "\nSEMITIED by shrinkage τ:\n\n";
     std::vector<NamedAverages> taus;

@@ -36,6 +36,7 @@
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/bout/bout_session.h"
 #include "studio/workspaces/graph/graph_session.h"
 #include "studio/workspaces/label/label_session.h"
 
@@ -77,8 +78,11 @@ MainWindow::MainWindow(QWidget* parent)
     addEditCommands();
     addTakeCommands();
     addWorkspaces();
-    addPlaybackCommands();
-    addTimelineCommands();
+    // The Bout workspace has a clock of its own.
+    commands_->addFor(QStringLiteral("segment label graph"), [this] {
+        addPlaybackCommands();
+        addTimelineCommands();
+    });
     addViewCommands();
     addCommandWords(*commands_);
     loadKeys(*commands_);
@@ -212,7 +216,8 @@ void MainWindow::listen() {
 
 bool MainWindow::isBusy() const {
     return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
-           (labels_->isActive() && labels_->isLearning()) || graph_->isLearning();
+           (labels_->isActive() && labels_->isLearning()) || graph_->isLearning() ||
+           bout_->isPreparing();
 }
 
 void MainWindow::shareSpace() {
@@ -221,7 +226,8 @@ void MainWindow::shareSpace() {
     const int height = pages_->height();
     const int wished = std::min(timelineBox_->sizeHint().height(), 2 * height / 5);
     const int timeline = std::max(std::clamp(height / 4 - 4, 176, 300), wished);
-    rows_->setSizes({height - timeline - 1, timeline});
+    // The timeline, and what takes its place in the Bout workspace.
+    rows_->setSizes({height - timeline - 1, timeline, timeline});
     const int left = width() < 1600 ? 136 : 176;
     const int right = width() < 1600 ? 232 : 264;
     const int middle = width() - left - right - 2;
@@ -245,9 +251,9 @@ void MainWindow::refreshTitle() {
 
 void MainWindow::refreshIcons() {
     commands_->refreshIcons();
-    if (!session_.transport().isPlaying()) return;
-    commands_->action("transport.play")
-        ->setIcon(lineIcon(QStringLiteral("pause"), coloursFor(palette()).text));
+    const QIcon pause = lineIcon(QStringLiteral("pause"), coloursFor(palette()).text);
+    if (session_.transport().isPlaying()) commands_->action("transport.play")->setIcon(pause);
+    if (bout_ != nullptr && bout_->isPlaying()) commands_->action("bout.play")->setIcon(pause);
 }
 
 void MainWindow::showKeysHint() {

@@ -17,6 +17,7 @@ class QToolButton;
 
 namespace kumite::studio {
 
+class BoutSession;
 class CommandPalette;
 class CommandTable;
 class DocumentPanel;
@@ -61,6 +62,7 @@ public:
     Workspaces& workspaces() { return *workspaces_; }
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
+    BoutSession& bout() { return *bout_; }
     GraphSession& graph() { return *graph_; }
     GraphCentre& graphCentre() { return *graphCentre_; }
     LabelSession& labels() { return *labels_; }
@@ -103,6 +105,7 @@ private:
     void addLabelCommands(LabelPanel& panel);
     void showLabelKeys();
     void addGraphWorkspace();
+    void addBoutWorkspace();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -146,6 +149,8 @@ private:
     LabelExchange* exchange_ = nullptr;
     LabelReview* labelReview_ = nullptr;
     LabelLanes* labelLanes_ = nullptr;
+    BoutSession* bout_ = nullptr;
+    QWidget* boutBox_ = nullptr;  ///< in the timeline's place in the Bout workspace
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;

@@ -24,6 +24,12 @@
 #include "studio/jobs/job_bar.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/bout/bout_bar.h"
+#include "studio/workspaces/bout/bout_commands.h"
+#include "studio/workspaces/bout/bout_page.h"
+#include "studio/workspaces/bout/bout_session.h"
+#include "studio/workspaces/bout/bout_stage.h"
+#include "studio/workspaces/bout/bout_strip.h"
 #include "studio/workspaces/graph/graph_centre.h"
 #include "studio/workspaces/graph/graph_commands.h"
 #include "studio/workspaces/graph/graph_panel.h"
@@ -66,6 +72,7 @@ void MainWindow::addWorkspaces() {
         if (!spaceShared_) shareSpace();
     });
     addGraphWorkspace();
+    addBoutWorkspace();
     workspaces_->addSwitchCommands(tr("&View"));
 }
 
@@ -96,6 +103,45 @@ void MainWindow::addGraphWorkspace() {
         strip->setVisible(graph_->isActive() && graph_->hasGraph());
     };
     connect(workspaces_, &Workspaces::changed, graph_, follow);
+    follow();
+}
+
+void MainWindow::addBoutWorkspace() {
+    bout_ = new BoutSession(session_, this);
+    auto* jobs = findChild<JobBar*>();
+    for (JobRunner* runner : {&bout_->jobs(), &bout_->judging(), &bout_->writing()})
+        jobs->watch(*runner);
+    connect(bout_, &BoutSession::failed, strip_, &MessageStrip::showError);
+    auto* page = new BoutPage(*bout_, rightPanel_);
+    workspaces_->add({"bout", tr("Bout"), "bout",
+                      tr("Let both fight on from what was learnt, or fight yourself."), page,
+                      [this, page] {
+                          addBoutCommands(*commands_, *bout_, *stage_);
+                          page->addCommands(*commands_);
+                      }});
+    page->addStep(tr("Label actions"), tr("Go to the Label workspace"),
+                  [this] { workspaces_->show(QStringLiteral("label")); });
+    page->addStep(tr("Take over labels…"), tr("From a table of labels, or a made bout's truth"),
+                  [this] { exchange_->askForImport(); });
+    boutBox_ = new QWidget(rows_);
+    rows_->setStretchFactor(rows_->indexOf(boutBox_), 0);
+    rows_->setCollapsible(rows_->indexOf(boutBox_), false);
+    auto* box = new QVBoxLayout(boutBox_);
+    box->setContentsMargins(0, 0, 0, 0);
+    box->setSpacing(0);
+    box->addWidget(new BoutBar(*bout_, *commands_, boutBox_));
+    box->addWidget(new BoutStrip(*bout_, boutBox_), 1);
+    new BoutStage(*bout_, *stage_, this);
+    const auto follow = [this] {
+        const bool shown = workspaces_->current() == QLatin1String("bout");
+        boutBox_->setVisible(shown);
+        timelineBox_->setVisible(!shown);
+        bout_->setActive(shown);
+        // What had the focus may be hidden now; the next key would press some button.
+        if (shown) stage_->setFocus();
+    };
+    connect(bout_, &BoutSession::stateChanged, this, &MainWindow::refreshIcons);
+    connect(workspaces_, &Workspaces::changed, bout_, follow);
     follow();
 }
 
@@ -212,6 +258,10 @@ QString MainWindow::keysHint() const {
         {{"label.reject"}, tr("second best"), !measuring},
         {{"label.laneUp", "label.laneDown"}, tr("lane"), !measuring},
         {{"label.class1"}, tr("… its classes"), !measuring},
+        {{"bout.play"}, bout_->isPlaying() ? tr("pause") : tr("fight")},
+        {{"bout.act1"}, tr("… lead the avatar"), bout_->steers()},
+        {{"bout.reseed"}, tr("go on otherwise")},
+        {{"bout.keep"}, tr("keep as a take")},
         {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
         {{"graph.play"}, tr("play what is behind"), !measuring},
         {{"graph.view"}, tr("matrix or graph"), !measuring},

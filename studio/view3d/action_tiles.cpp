@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/grid_keys.h"
 #include "studio/app/theme.h"
 #include "studio/view3d/bones.h"
 #include "studio/view3d/pose.h"
@@ -327,39 +328,19 @@ void ActionTiles::mouseDoubleClickEvent(QMouseEvent* event) {
 
 bool ActionTiles::event(QEvent* event) {
     // These keys belong to the tiles while they have the focus, not to the playhead.
-    if (event->type() == QEvent::ShortcutOverride) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-            case Qt::Key_Left:
-            case Qt::Key_Right:
-            case Qt::Key_Up:
-            case Qt::Key_Down:
-            case Qt::Key_Space:
-            case Qt::Key_Return:
-            case Qt::Key_Enter:
-                event->accept();
-                return true;
-            default:
-                break;
-        }
-    }
+    if (claimsGridKey(event, {Qt::Key_Space, Qt::Key_Return, Qt::Key_Enter})) return true;
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) captions_->update();
     return QWidget::event(event);
 }
 
 void ActionTiles::keyPressEvent(QKeyEvent* event) {
-    const auto go = [this](int step) {
-        if (count() > 0) current_ = std::clamp(current_ + step, 0, count() - 1);
+    if (const auto step = gridStep(*event)) {
+        const int way = step->rows * grid_.columns + step->columns;
+        if (count() > 0) current_ = std::clamp(current_ + way, 0, count() - 1);
         captions_->update();
-    };
+        return;
+    }
     switch (event->key()) {
-        case Qt::Key_Left:
-            return go(-1);
-        case Qt::Key_Right:
-            return go(1);
-        case Qt::Key_Up:
-            return go(-grid_.columns);
-        case Qt::Key_Down:
-            return go(grid_.columns);
         case Qt::Key_Space:
             return toggle(current_);
         case Qt::Key_Return:

@@ -6,8 +6,6 @@
 #include <QWheelEvent>
 
 #include <vtkActor.h>
-#include <vtkCamera.h>
-#include <vtkCellArray.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -16,12 +14,12 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstring>
-#include <numbers>
 
 #include "studio/app/theme.h"
 #include "studio/view3d/graph_geometry.h"
+#include "studio/view3d/mesh_actor.h"
 #include "studio/view3d/vtk_widget.h"
 
 namespace kumite::studio {
@@ -82,15 +80,7 @@ struct GraphView::Drawing {
                         mesh.points.size() * sizeof(mesh.points[0]));
             std::memcpy(colours->GetVoidPointer(0), mesh.colours.data(), mesh.colours.size());
         }
-        vtkNew<vtkCellArray> cells;
-        const auto triangles = static_cast<vtkIdType>(mesh.triangles.size() / 3);
-        cells->AllocateExact(triangles, 3 * triangles);
-        for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-            const vtkIdType corners[3] = {mesh.triangles[i], mesh.triangles[i + 1],
-                                          mesh.triangles[i + 2]};
-            cells->InsertNextCell(3, corners);
-        }
-        data->SetPolys(cells);
+        setTriangles(*data, mesh.triangles);
         points->Modified();
         colours->Modified();
         data->Modified();
@@ -158,15 +148,7 @@ void GraphView::redraw() {
     vtkRenderer* renderer = drawing_->canvas->renderer();
     renderer->SetBackground(c.ground.redF(), c.ground.greenF(), c.ground.blueF());
     const CameraController& camera = drawing_->camera;
-    vtkCamera* vtk = renderer->GetActiveCamera();
-    const Eigen::Vector3d position = camera.position();
-    const Eigen::Vector3d target = camera.target();
-    const Eigen::Vector3d up = camera.up();
-    vtk->SetPosition(position.x(), position.y(), position.z());
-    vtk->SetFocalPoint(target.x(), target.y(), target.z());
-    vtk->SetViewUp(up.x(), up.y(), up.z());
-    vtk->SetViewAngle(CameraController::kFieldOfView * 180 / std::numbers::pi);
-    vtk->SetClippingRange(std::max(0.05, camera.distance() - 4), camera.distance() + 6);
+    aim(*renderer, camera, std::max(0.05, camera.distance() - 4), camera.distance() + 6);
     drawing_->show(graphMesh(drawing_->scene, camera, c));
     drawing_->canvas->markDirty();
     drawing_->names->update();
@@ -211,38 +193,26 @@ void GraphView::hoverAt(const std::optional<QPointF>& position) {
 }
 
 void GraphView::mousePressEvent(QMouseEvent* event) {
-    pressed_ = last_ = event->position();
-    dragged_ = false;
+    hand_.press(*event);
 }
 
 void GraphView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         hoverAt(event->position());
-        return;
+    } else if (hand_.drag(*event, drawing_->camera, viewport(), !flat_)) {
+        moved_ = true;
+        redraw();
     }
-    if ((event->position() - pressed_).manhattanLength() > 3) dragged_ = true;
-    if (!dragged_) return;
-    const QPointF way = event->position() - last_;
-    last_ = event->position();
-    moved_ = true;
-    const bool pan =
-        flat_ || (event->buttons() & Qt::MiddleButton) || (event->modifiers() & Qt::ShiftModifier);
-    if (pan) {
-        drawing_->camera.pan(way.x(), way.y(), viewport());
-    } else {
-        drawing_->camera.orbit(way.x(), way.y(), viewport());
-    }
-    redraw();
 }
 
 void GraphView::mouseReleaseEvent(QMouseEvent* event) {
-    if (dragged_ || event->button() != Qt::LeftButton) return;
+    if (hand_.isDragging() || event->button() != Qt::LeftButton) return;
     Q_EMIT clicked(pickAt(event->position()));
 }
 
 void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
-    dragged_ = true;  // the release that follows is no click
+    hand_.swallowClick();
     if (const auto pick = pickAt(event->position())) {
         Q_EMIT activated(*pick);
     } else {
@@ -252,10 +222,8 @@ void GraphView::mouseDoubleClickEvent(QMouseEvent* event) {
 
 void GraphView::wheelEvent(QWheelEvent* event) {
     moved_ = true;
-    const double factor = std::pow(1.0015, event->angleDelta().y());
-    drawing_->camera.zoomAbout(event->position().x(), event->position().y(), factor, viewport());
+    hand_.zoom(*event, drawing_->camera, viewport());
     redraw();
-    event->accept();
 }
 
 void GraphView::leaveEvent(QEvent*) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "studio/view3d/camera_hand.h"
 #include "studio/view3d/graph_scene.h"
 
 namespace kumite::studio {
@@ -61,9 +62,7 @@ private:
     Viewport viewport() const;
 
     std::unique_ptr<Drawing> drawing_;
-    QPointF pressed_;
-    QPointF last_;
-    bool dragged_ = false;
+    CameraHand hand_;
     bool flat_ = true;
     bool moved_ = false;  ///< a hand chose the point of view
 };

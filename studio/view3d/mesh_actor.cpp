@@ -1,10 +1,14 @@
 #include "studio/view3d/mesh_actor.h"
 
+#include <vtkCamera.h>
 #include <vtkPointData.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 
 #include <cstring>
+#include <numbers>
+
+#include "studio/view3d/camera_controller.h"
 
 namespace kumite::studio {
 
@@ -20,6 +24,29 @@ void copyInto(Array* array, const std::vector<Eigen::Vector3f>& values) {
 }
 
 }  // namespace
+
+void setTriangles(vtkPolyData& data, const std::vector<int>& corners) {
+    vtkNew<vtkCellArray> cells;
+    const auto count = static_cast<vtkIdType>(corners.size() / 3);
+    cells->AllocateExact(count, 3 * count);
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3) {
+        const vtkIdType triangle[3] = {corners[i], corners[i + 1], corners[i + 2]};
+        cells->InsertNextCell(3, triangle);
+    }
+    data.SetPolys(cells);
+}
+
+void aim(vtkRenderer& renderer, const CameraController& camera, double nearest, double farthest) {
+    vtkCamera* vtk = renderer.GetActiveCamera();
+    const Eigen::Vector3d position = camera.position();
+    const Eigen::Vector3d target = camera.target();
+    const Eigen::Vector3d up = camera.up();
+    vtk->SetPosition(position.x(), position.y(), position.z());
+    vtk->SetFocalPoint(target.x(), target.y(), target.z());
+    vtk->SetViewUp(up.x(), up.y(), up.z());
+    vtk->SetViewAngle(CameraController::kFieldOfView * 180 / std::numbers::pi);
+    vtk->SetClippingRange(nearest, farthest);
+}
 
 MeshActor::MeshActor(vtkRenderer* renderer, Surface surface) {
     points_->SetDataTypeToFloat();
@@ -69,16 +96,7 @@ void MeshActor::show(const Mesh& mesh) {
     points_->Modified();
     const auto count = static_cast<vtkIdType>(mesh.triangles.size() / 3);
     // The triangles of a mesh depend on the number of its corners only.
-    if (data_->GetNumberOfPolys() != count) {
-        vtkNew<vtkCellArray> cells;
-        cells->AllocateExact(count, 3 * count);
-        for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3) {
-            const vtkIdType corners[3] = {mesh.triangles[i], mesh.triangles[i + 1],
-                                          mesh.triangles[i + 2]};
-            cells->InsertNextCell(3, corners);
-        }
-        data_->SetPolys(cells);
-    }
+    if (data_->GetNumberOfPolys() != count) setTriangles(*data_, mesh.triangles);
     data_->Modified();
     actor_->VisibilityOn();
 }

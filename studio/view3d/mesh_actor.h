@@ -16,6 +16,13 @@ class vtkRenderer;
 
 namespace kumite::studio {
 
+class CameraController;
+
+/// Makes triangles of every three corners.
+void setTriangles(vtkPolyData& data, const std::vector<int>& corners);
+/// Looks at the scene through a camera; what is nearer or farther (metres) is cut off.
+void aim(vtkRenderer& renderer, const CameraController& camera, double nearest, double farthest);
+
 /// A mesh in the scene whose corners may move from frame to frame. Actors are drawn in the order
 /// in which they were made, also those that let others shine through: VTK's own pass for
 /// translucent things costs more than the whole scene where there is no graphics card.

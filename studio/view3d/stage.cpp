@@ -1,10 +1,7 @@
 #include "studio/view3d/stage.h"
 
-#include <vtkCamera.h>
 #include <vtkLight.h>
 #include <vtkRenderer.h>
-
-#include <numbers>
 
 namespace kumite::studio {
 
@@ -22,7 +19,10 @@ void addLight(vtkRenderer* renderer, double x, double y, double z, double intens
 }  // namespace
 
 Stage::Stage(vtkRenderer* renderer)
-    : renderer_(renderer), floor_(renderer), figures_{Figure(renderer, 0), Figure(renderer, 1)} {
+    : renderer_(renderer),
+      floor_(renderer),
+      mark_(renderer, MeshActor::Surface::Flat),
+      figures_{Figure(renderer, 0), Figure(renderer, 1)} {
     renderer_->SetAutomaticLightCreation(false);
     // From above right, a fill from the left, and a rim from behind.
     addLight(renderer_, 0.5, 1.1, 0.9, 0.85);
@@ -44,18 +44,25 @@ void Stage::setColours(const Colours& colours, int active) {
     for (PlayerGhost& ghost : ghosts_)
         ghost.ghost.setColour(colours.fighters[ghost.player]);
     floor_.setColours(colours);
+    mark_.setColour(colours.accent);
+}
+
+void Stage::setFloorMark(const std::optional<Eigen::Vector2d>& place, bool faint) {
+    if (!place) {
+        mark_.hide();
+        return;
+    }
+    const Eigen::Vector3f at(static_cast<float>(place->x()), 0, static_cast<float>(place->y()));
+    const float height = -kSole + 0.007F;
+    Mesh mesh;
+    mesh.addFloorBand(at, at, 0.24F, 0.035F, height);
+    mesh.addFloorBand(at, at, 0.05F, 0.05F, height);
+    mark_.setOpacity(faint ? 0.45 : 1.0);
+    mark_.show(mesh);
 }
 
 void Stage::setCamera(const CameraController& camera) {
-    vtkCamera* vtk = renderer_->GetActiveCamera();
-    const Eigen::Vector3d position = camera.position();
-    const Eigen::Vector3d target = camera.target();
-    const Eigen::Vector3d up = camera.up();
-    vtk->SetPosition(position.x(), position.y(), position.z());
-    vtk->SetFocalPoint(target.x(), target.y(), target.z());
-    vtk->SetViewUp(up.x(), up.y(), up.z());
-    vtk->SetViewAngle(CameraController::kFieldOfView * 180 / std::numbers::pi);
-    vtk->SetClippingRange(0.02 * camera.distance(), camera.distance() + 2 * floor_.radius() + 20);
+    aim(*renderer_, camera, 0.02 * camera.distance(), camera.distance() + 2 * floor_.radius() + 20);
 }
 
 void Stage::addGhost(int player, const std::vector<Bone>& bones,

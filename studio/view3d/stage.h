@@ -2,6 +2,7 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include <vtkActor.h>
@@ -34,6 +35,9 @@ public:
                   const std::vector<Eigen::Vector3f>& joints);
     void clearGhosts();
 
+    /// A mark on the floor (x and z, metres) in the colour of what has the focus.
+    void setFloorMark(const std::optional<Eigen::Vector2d>& place, bool faint);
+
 private:
     struct PlayerGhost {
         int player;
@@ -43,6 +47,7 @@ private:
     vtkRenderer* renderer_;
     const Colours* colours_ = nullptr;
     Floor floor_;
+    MeshActor mark_;  ///< before the figures, who stand on it
     std::array<Figure, 2> figures_;
     // Actors are kept for the next ghosts; the first `ghostCount_` are shown.
     std::deque<PlayerGhost> ghosts_;

@@ -53,6 +53,7 @@ Viewport StageView::viewport() const {
 }
 
 void StageView::takeChanged() {
+    if (live_) return;
     scene_->measuring.click(std::nullopt);
     scene_->measuring.hovered.reset();
     followed_.reset();
@@ -63,6 +64,7 @@ void StageView::takeChanged() {
 }
 
 void StageView::bodiesChanged() {
+    if (live_) return;
     const auto present = fighters();
     for (std::size_t player = 0; player < present.size(); ++player) {
         auto& bones = scene_->bones[player];
@@ -76,7 +78,55 @@ void StageView::bodiesChanged() {
     showPose();
 }
 
+void StageView::beginLive(std::array<std::vector<Bone>, 2> bones) {
+    setMeasuring(false);
+    live_ = true;
+    followed_.reset();
+    scene_->bones = std::move(bones);
+    scene_->stage.clearGhosts();
+}
+
+void StageView::showLive(std::array<FigurePose, 2> poses) {
+    scene_->poses = std::move(poses);
+    for (int player = 0; player < 2; ++player) {
+        const auto index = static_cast<std::size_t>(player);
+        scene_->stage.figure(player).show(scene_->bones[index], scene_->poses[index], overlays_);
+    }
+    if (following_) follow();
+    showLabels();
+    scene_->canvas->markDirty();
+}
+
+void StageView::endLive() {
+    if (!live_) return;
+    live_ = false;
+    followed_.reset();
+    bodiesChanged();
+    frameAll();
+}
+
+void StageView::setPointingAtFloor(bool on) {
+    pointsAtFloor_ = on;
+    setMouseTracking(on || isMeasuring());
+    if (!on) setFloorMark(std::nullopt, false);
+}
+
+void StageView::setFloorMark(const std::optional<Eigen::Vector2d>& place, bool faint) {
+    scene_->stage.setFloorMark(place, faint);
+    scene_->canvas->markDirty();
+}
+
+std::optional<Eigen::Vector3d> StageView::middle() const {
+    if (!live_) return followedPoint(fighters(), session_.transport().shownTime());
+    Box box;
+    for (const FigurePose& pose : scene_->poses) {
+        if (!pose.joints.empty()) box.add(pose.joints.front().cast<double>());
+    }
+    return box.empty() ? std::nullopt : std::optional(box.centre());
+}
+
 void StageView::showPose() {
+    if (live_) return;
     const auto present = fighters();
     for (int player = 0; player < 2; ++player) {
         const auto index = static_cast<std::size_t>(player);
@@ -92,13 +142,13 @@ void StageView::showPose() {
 }
 
 void StageView::follow() {
-    const auto middle = followedPoint(fighters(), session_.transport().shownTime());
-    if (!middle) return;
+    const auto now = middle();
+    if (!now) return;
     // Along the floor only: a view that bobs with every step makes one seasick.
-    Eigen::Vector3d way = *middle - followed_.value_or(scene_->camera.target());
+    Eigen::Vector3d way = *now - followed_.value_or(scene_->camera.target());
     way.y() = 0;
     scene_->camera.move(way);
-    followed_ = middle;
+    followed_ = now;
     scene_->stage.setCamera(scene_->camera);
 }
 
@@ -140,6 +190,7 @@ void StageView::clearGhosts() {
 
 void StageView::showGhosts() {
     scene_->stage.clearGhosts();
+    if (live_) return;
     const auto present = fighters();
     for (const double time : ghostTimes_) {
         for (std::size_t player = 0; overlays_.ghosts && player < present.size(); ++player) {
@@ -168,7 +219,15 @@ void StageView::applyCamera() {
 void StageView::frameAll() {
     Box box;
     for (const FighterAnalysis* fighter : fighters()) {
-        if (fighter != nullptr) addPath(box, *fighter);
+        if (fighter != nullptr && !live_) addPath(box, *fighter);
+    }
+    for (const FigurePose& pose : scene_->poses) {
+        // A bout has no path yet: room for a few steps around where it is.
+        for (const auto& joint : live_ ? pose.joints : std::vector<Eigen::Vector3f>{}) {
+            const Eigen::Vector3d at = joint.cast<double>();
+            box.add({at.x() - 0.5, std::max(0.0, at.y()), at.z() - 0.5});
+            box.add({at.x() + 0.5, std::max(1.8, at.y()), at.z() + 0.5});
+        }
     }
     scene_->stage.floor().cover(box);
     scene_->camera.frame(box, viewport());

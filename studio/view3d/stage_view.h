@@ -11,12 +11,11 @@
 
 #include <Eigen/Core>
 
+#include "studio/view3d/bones.h"
+#include "studio/view3d/camera_hand.h"
 #include "studio/view3d/measuring.h"
 #include "studio/view3d/overlays.h"
-
-namespace kumite {
-struct FighterAnalysis;
-}
+#include "studio/view3d/pose.h"
 
 namespace kumite::studio {
 
@@ -77,6 +76,18 @@ public:
     /// lies behind the camera.
     std::optional<QPointF> jointPosition(const JointRef& joint) const;
 
+    /// Others in place of the take's fighters, until `endLive`: what their bones are, then poses.
+    void beginLive(std::array<std::vector<Bone>, 2> bones);
+    void showLive(std::array<FigurePose, 2> poses);
+    void endLive();
+    bool isLive() const { return live_; }
+
+    /// Tells where on the floor the pointer is, and by `floorClicked` where a click was beside the
+    /// fighters.
+    void setPointingAtFloor(bool on);
+    /// A mark on the floor, x and z in metres; none: nothing. `faint`: not yet chosen.
+    void setFloorMark(const std::optional<Eigen::Vector2d>& place, bool faint);
+
     /// What the view shows, in device pixels, without its buttons.
     QImage picture();
 
@@ -84,11 +95,14 @@ public:
     void setTools(QWidget* tools);
 
     /// How fast a drag turns and the wheel zooms; 1 as usual.
-    void setMouseSpeed(double speed) { mouseSpeed_ = speed; }
+    void setMouseSpeed(double speed) { hand_.setSpeed(speed); }
 
 Q_SIGNALS:
     /// Overlays, ghosts, follow or the measuring tool changed.
     void switchesChanged();
+    /// x and z, metres; nothing: beside the floor, or the pointer left.
+    void floorHovered(const std::optional<Eigen::Vector2d>& place);
+    void floorClicked(const Eigen::Vector2d& place);
     /// On a fighter, which is the active one now, or on nothing, at a point of the screen.
     void menuWanted(std::optional<int> player, const QPoint& at);
 
@@ -117,6 +131,8 @@ private:
     void placeOverlays();
     void lookFrom(double yaw, double pitch);
     std::optional<int> fighterAt(const QPointF& position) const;
+    std::optional<Eigen::Vector2d> floorAt(const QPointF& position) const;
+    std::optional<Eigen::Vector3d> middle() const;
     void hoverAt(const QPointF& position);
     std::optional<JointRef> jointUnder(const QPointF& position) const;
     QString jointText(const JointRef& joint, bool withSpeed) const;
@@ -130,12 +146,11 @@ private:
     Overlays overlays_;
     std::vector<double> ghostTimes_;  ///< seconds on the take's clock
     bool following_ = false;
+    bool live_ = false;
+    bool pointsAtFloor_ = false;
     std::optional<Eigen::Vector3d> followed_;  ///< what the camera followed last
     QWidget* tools_ = nullptr;
-    QPointF lastPointer_;
-    QPointF pressed_;
-    bool dragged_ = false;
-    double mouseSpeed_ = 1;
+    CameraHand hand_;
     QString measuringHint_;
     QString told_;  ///< of what is measured
 };

@@ -4,8 +4,6 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
-#include <cmath>
-
 #include "studio/app/session.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_scene.h"
@@ -63,38 +61,32 @@ void StageView::hoverAt(const QPointF& position) {
 }
 
 void StageView::mousePressEvent(QMouseEvent* event) {
-    pressed_ = lastPointer_ = event->position();
-    dragged_ = false;
+    hand_.press(*event);
 }
 
 void StageView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         if (isMeasuring()) hoverAt(event->position());
-        return;
+        if (pointsAtFloor_) Q_EMIT floorHovered(floorAt(event->position()));
+    } else if (hand_.drag(*event, scene_->camera, viewport())) {
+        applyCamera();
     }
-    const QPointF moved = event->position() - lastPointer_;
-    if ((event->position() - pressed_).manhattanLength() > 3) dragged_ = true;
-    if (!dragged_) return;
-    lastPointer_ = event->position();
-    const bool pan =
-        (event->buttons() & Qt::MiddleButton) || (event->modifiers() & Qt::ShiftModifier);
-    if (pan) {
-        scene_->camera.pan(moved.x(), moved.y(), viewport());
-    } else {
-        scene_->camera.orbit(mouseSpeed_ * moved.x(), mouseSpeed_ * moved.y(), viewport());
-    }
-    applyCamera();
 }
 
 void StageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (dragged_) return;
+    if (hand_.isDragging()) return;
     const bool menu = event->button() == Qt::RightButton;
     if (event->button() == Qt::LeftButton && isMeasuring()) {
         scene_->measuring.click(jointUnder(event->position()));
         showLabels();
     } else if (event->button() == Qt::LeftButton || menu) {
         const auto player = fighterAt(event->position());
-        if (player) session_.setActivePlayer(*player);
+        const auto floor = pointsAtFloor_ && !menu ? floorAt(event->position()) : std::nullopt;
+        if (floor) {
+            Q_EMIT floorClicked(*floor);
+        } else if (player) {
+            session_.setActivePlayer(*player);
+        }
         if (menu) Q_EMIT menuWanted(player, event->globalPosition().toPoint());
     }
 }
@@ -106,16 +98,24 @@ void StageView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void StageView::leaveEvent(QEvent*) {
+    if (pointsAtFloor_) Q_EMIT floorHovered(std::nullopt);
     if (!scene_->measuring.hovered) return;
     scene_->measuring.hovered.reset();
     showLabels();
 }
 
 void StageView::wheelEvent(QWheelEvent* event) {
-    const double factor = std::pow(1.0015, mouseSpeed_ * event->angleDelta().y());
-    scene_->camera.zoomAbout(event->position().x(), event->position().y(), factor, viewport());
+    hand_.zoom(*event, scene_->camera, viewport());
     applyCamera();
-    event->accept();
+}
+
+std::optional<Eigen::Vector2d> StageView::floorAt(const QPointF& position) const {
+    constexpr double kFarthest = 15;  // metres from what is looked at
+    const Ray ray = scene_->camera.rayThrough(position.x(), position.y(), viewport());
+    if (ray.direction.y() > -1e-3) return std::nullopt;
+    const Eigen::Vector3d at = ray.origin - ray.origin.y() / ray.direction.y() * ray.direction;
+    if ((at - scene_->camera.target()).norm() > kFarthest) return std::nullopt;
+    return Eigen::Vector2d(at.x(), at.z());
 }
 
 std::optional<int> StageView::fighterAt(const QPointF& position) const {

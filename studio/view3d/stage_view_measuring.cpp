@@ -48,9 +48,10 @@ const Measuring& StageView::measuring() const {
 }
 
 void StageView::setMeasuring(bool on) {
+    on = on && !live_;  // joints and speeds are the recording's
     scene_->measuring = Measuring{};
     scene_->measuring.isOn = on;
-    setMouseTracking(on);
+    setMouseTracking(on || pointsAtFloor_);
     setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
     showLabels();
     tellMeasured();

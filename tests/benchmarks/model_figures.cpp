@@ -18,6 +18,7 @@
 #include "core/base/files.h"
 #include "core/base/text.h"
 #include "core/demo/random.h"
+#include "core/interaction/surprise.h"
 #include "core/project/demo_bout.h"
 #include "core/project/interaction.h"
 #include "core/project/label_files.h"
@@ -109,7 +110,7 @@ void growth() {
                 sum += nextLabels(model, i % 20, i % 17, &moment).front().product;
             }
         });
-        const double surprise = timed([&] { sum += surprises(model).front().total; });
+        const double surprise = timed([&] { sum += surprises(model).front().both; });
         rows.push_back({static_cast<double>(actions), label, training, query / kQueries, surprise});
         std::cout << fmt::format("{:>8} {:>7} {:>12.2f} {:>12.1f} {:>12.3f} {:>12.1f} {:>10.0f}\n",
                                  actions, model.labels.nodeCount(), 1000 * label, 1000 * training,

@@ -70,6 +70,31 @@ TEST_F(ModelCommand, WritesTablesPicturesAndTheGraph) {
     EXPECT_EQ(first, second) << "the same seeds give the same figures";
 }
 
+TEST_F(ModelCommand, WithoutShrinkageItIsThePlainMethod) {
+    const auto plain = json({"model", project, "--seeds", "1", "--shrinkage", "0", "--json"});
+    const auto usual = json({"model", project, "--seeds", "1", "--json"});
+    EXPECT_EQ(plain["shrinkage_tau"], 0);
+    EXPECT_EQ(plain["shrinkage"][0]["tau"], 0);
+    // Labels seen once have no spread of their own, and nothing to borrow.
+    EXPECT_EQ(plain["geometry_term"]["SEMITIED"]["train"], plain["shrinkage"][0]["train"]);
+    EXPECT_GT(plain["geometry_term"]["SEMITIED"]["train"].get<double>(),
+              usual["geometry_term"]["SEMITIED"]["train"].get<double>());
+    EXPECT_LT(plain["geometry_term"]["SEMITIED"]["validation"].get<double>(),
+              usual["geometry_term"]["SEMITIED"]["validation"].get<double>());
+}
+
+TEST_F(ModelCommand, AnAvatarsModelHasTwoDimensionsMore) {
+    const auto plain = json({"model", project, "--seeds", "1", "--json"});
+    const auto led = json({"model", project, "--seeds", "1", "--target", "--json"});
+    EXPECT_EQ(plain["dimensions"], 36);
+    EXPECT_EQ(led["dimensions"], 38);
+    EXPECT_EQ(led["label_term"], plain["label_term"]);
+    for (const char* name : {"FULL", "FULL_RAW", "DIAGONAL", "SEMITIED"}) {
+        EXPECT_TRUE(led["geometry_term"][name]["validation"].is_number()) << name;
+        EXPECT_NE(led["geometry_term"][name], plain["geometry_term"][name]);
+    }
+}
+
 TEST_F(ModelCommand, SaysWhatToDoWithoutLabels) {
     const Result result = kumite({"model", bare});
     EXPECT_EQ(result.code, 1);

@@ -50,7 +50,6 @@ GeometrySettings plain(CovarianceKind kind) {
     GeometrySettings settings;
     settings.kind = kind;
     settings.shrinkage = 0;
-    settings.meanShrinkage = 0;
     settings.eigenvalueFloor = 1e-12;
     settings.semiTied = {200, 1e-14};
     return settings;
@@ -197,6 +196,19 @@ TEST(GeometryTerm, TinyAndEmptyClassesAreNeverNaN) {
             }
         }
     }
+    // Fewer samples than dimensions.
+    const Samples few = madeSamples({1, 2, 1, 3}, 9);
+    for (const CovarianceKind kind : kKinds) {
+        GeometrySettings settings;
+        settings.kind = kind;
+        settings.shrinkage = 0;
+        const GeometryTerm term(settings, few.rows, few.classes, few.count);
+        for (Eigen::Index i = 0; i < few.rows.rows(); ++i) {
+            const Eigen::VectorXd x = few.rows.row(i).transpose();
+            for (int label = 0; label < few.count; ++label)
+                EXPECT_TRUE(std::isfinite(term.logDensity(x, label))) << covarianceName(kind);
+        }
+    }
     // One sample of one label; dimensions that never vary.
     for (const CovarianceKind kind : kKinds) {
         GeometrySettings settings;
@@ -204,6 +216,20 @@ TEST(GeometryTerm, TinyAndEmptyClassesAreNeverNaN) {
         const GeometryTerm term(settings, Eigen::MatrixXd::Ones(1, 9), std::vector{0}, 1);
         EXPECT_TRUE(std::isfinite(term.logDensity(Eigen::VectorXd::Ones(9), 0)));
         EXPECT_TRUE(std::isfinite(term.logDensityWithout(Eigen::VectorXd::Ones(9), 0)));
+    }
+}
+
+TEST(GeometryTerm, AllDensitiesAtOnceAreThoseOneByOne) {
+    const Samples made = madeSamples({30, 20, 1}, 9);
+    for (const CovarianceKind kind : kKinds) {
+        GeometrySettings settings;
+        settings.kind = kind;
+        const GeometryTerm term(settings, made.rows, made.classes, made.count);
+        const Eigen::VectorXd x = made.rows.row(7).transpose();
+        const std::vector<double> all = term.logDensities(x);
+        ASSERT_EQ(all.size(), 3u);
+        for (int label = 0; label < 3; ++label)
+            EXPECT_EQ(all[static_cast<std::size_t>(label)], term.logDensity(x, label));
     }
 }
 

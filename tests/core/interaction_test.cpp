@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/interaction/surprise.h"
 #include "core/project/edits.h"
 #include "tests/support/builders.h"
 
@@ -179,7 +180,8 @@ TEST(Interaction, FollowsTheProject) {
         EXPECT_EQ(examples,
                   transitionsBehind(*interaction.graph, mover, {t.ownNode, t.opponentNode}).size());
         for (const Surprise& surprise : surprises(model))
-            EXPECT_TRUE(std::isfinite(surprise.total) && surprise.label > 0);
+            EXPECT_TRUE(std::isfinite(surprise.geometry) && surprise.label > 0 &&
+                        surprise.both >= 0);
     }
     const Interaction again = deriveInteraction(project, analysis, {}, interaction);
     EXPECT_EQ(again.graph, interaction.graph);
@@ -286,6 +288,44 @@ TEST(Interaction, MomentsFollowTheRuleOfWhatIsInProgress) {
         const Moment begin = momentAt(analysis, interaction, 0, 0, mover);
         EXPECT_GE(begin.ownAction, 0);
         EXPECT_EQ(begin.transition, std::nullopt);
+    }
+}
+
+TEST(Interaction, AnAvatarsNumbersHoldItsTarget) {
+    const Project project = facingBout();
+    const Analysis analysis = analyse(project);
+    const Interaction plain = deriveInteraction(project, analysis);
+    InteractionSettings settings;
+    settings.numbers = TransitionNumbers::WithTarget;
+    const Interaction led = deriveInteraction(project, analysis, settings, plain);
+    EXPECT_EQ(led.graph, plain.graph);
+    EXPECT_EQ(led.poses, plain.poses);
+    for (const std::size_t mover : {0, 1}) {
+        const Eigen::MatrixXd& rows = led.models[mover]->numbers;
+        ASSERT_EQ(rows.cols(), 38);
+        const int last = analysis.at({0, int(mover)}).frameCount() - 31;  // half a second is left
+        int unknown = 0;
+        for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+            const Transition& t = led.graph->transitions[mover][std::size_t(i)];
+            const int frame = placeOf(*led.graph, int(mover), t).frame;
+            const auto& ground = led.numbers->grounds[mover][std::size_t(i)];
+            const Moment moment = momentAt(analysis, led, 0, frame, int(mover));
+            EXPECT_EQ(ground.target.has_value(), frame <= last);
+            if (!ground.target) {
+                EXPECT_TRUE(rows.row(i).hasNaN());
+                EXPECT_EQ(moment.numbers.size(), 0);
+                ++unknown;
+                continue;
+            }
+            const auto same = plain.models[mover]->numbers.row(i);
+            EXPECT_EQ(rows.row(i).head(24), same.head(24));
+            EXPECT_EQ(rows.row(i).segment<2>(24), ground.target->transpose());
+            EXPECT_EQ(rows.row(i).tail(12), same.tail(12));
+            ASSERT_EQ(moment.numbers.size(), 26);
+            EXPECT_NEAR((moment.numbers.transpose() - rows.row(i).head(26)).norm(), 0, 1e-9);
+        }
+        EXPECT_GT(unknown, 0);
+        EXPECT_EQ(led.models[mover]->geometry.dimensions(), 38);
     }
 }
 

@@ -1,6 +1,7 @@
 // The Graph workspace in the real window: matrix, graph, what comes next, what is behind it.
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
@@ -338,11 +339,7 @@ TEST_F(GraphTest, SurpriseLeadsToTheOddMoment) {
     EXPECT_TRUE(odd.own == half || odd.next == half) << odd.own << " " << odd.next;
     for (const int mover : {0, 1}) {
         for (const Surprise& each : graph().values()->surprises[std::size_t(mover)]) {
-            EXPECT_LE(each.total,
-                      graph()
-                          .values()
-                          ->surprises[std::size_t(worst.mover)][std::size_t(worst.index)]
-                          .total);
+            EXPECT_LE(each.both, graph().surpriseOf(worst).both);
         }
     }
     EXPECT_NEAR(session().transport().playhead(), graph().placeOf(worst).seconds, 1e-9);
@@ -360,6 +357,68 @@ TEST_F(GraphTest, SurpriseLeadsToTheOddMoment) {
     EXPECT_EQ(graph().current(), other);
     EXPECT_NEAR(session().transport().playhead(), graph().placeOf(other).seconds, 1e-9);
     EXPECT_EQ(session().activePlayer(), 1);
+}
+
+TEST_F(GraphTest, WhichSurpriseIsShownIsAChoice) {
+    openGraph();
+    QTableView* list = part<TraceBox>().table();
+    press(Qt::Key_N);
+    ASSERT_TRUE(graph().current());
+    const int row = part<TraceBox>().model().rowOf(*graph().current());
+    ASSERT_GE(row, 0);
+    const auto shown = [&] {
+        return list->model()->index(row, TraceModel::SurpriseColumn).data().toString();
+    };
+    const Surprise surprise = graph().surpriseOf(*graph().current());
+    EXPECT_EQ(shown(), QString::number(surprise.both, 'f', 1));
+    window_->commands().run("graph.surpriseLabel");
+    EXPECT_EQ(shown(), QString::number(surprise.label, 'f', 1));
+    window_->commands().run("graph.surpriseGeometry");
+    EXPECT_EQ(shown(), QString::number(surprise.geometry, 'f', 1));
+    // The next surprise is that of the kind that is chosen.
+    graph().stepSurprise(1);
+    press(Qt::Key_N);
+    window_->commands().run("graph.surpriseBoth");
+    EXPECT_EQ(graph().options().surprise, SurpriseKind::Both);
+}
+
+TEST_F(GraphTest, TwoModelsStandBesideEachOtherInTheGraph) {
+    openGraph();
+    centre().showMatrix(false);
+    GraphOptions options = graph().options();
+    options.versus = Versus::Estimator;
+    options.versusEstimator = LabelEstimator::Equ5;
+    graph().setOptions(options);
+    settle();
+    NodePage& page = centre().nodes();
+    const GraphDrawing& drawing = page.drawing();
+    EXPECT_EQ(drawing.sides[0].name, "EQU7");
+    EXPECT_EQ(drawing.sides[1].name, "EQU5");
+    EXPECT_EQ(drawing.sides[0].mover, drawing.sides[1].mover);
+    const int mover = graph().mover();
+    ASSERT_EQ(int(drawing.nodes.size()), 2 * graph().graph().nodeCount(mover));
+    // What is chosen in the other model's graph is the same label.
+    const auto at = page.view().positionOf(int(drawing.nodes.size()) - 1);
+    ASSERT_TRUE(at);
+    QTest::mouseClick(&page.view(), Qt::LeftButton, {}, at->toPoint());
+    ASSERT_TRUE(graph().selection());
+    EXPECT_EQ(graph().selection()->filter.own, page.drawing().nodes.back().node);
+    EXPECT_TRUE(page.drawing().scene.nodes.back().ringed);
+    graph().select(std::nullopt);
+    const auto all = page.drawing().edges.size();
+    for (auto* box : page.findChildren<QCheckBox*>()) {
+        if (box->text() == "difference") box->click();
+    }
+    for (const auto& edge : page.drawing().edges) {
+        const auto& [own, opponent, next] = edge.meaning.filter;
+        const auto p = [&](int side) {
+            return page.drawing().sides[std::size_t(side)].model().labels.probabilities(
+                own, opponent)[std::size_t(next)];
+        };
+        EXPECT_NEAR(edge.probability, p(edge.side) - p(1 - edge.side), 1e-12);
+        EXPECT_GT(edge.probability, 0);
+    }
+    EXPECT_LT(page.drawing().edges.size(), all) << "only what one side does more often";
 }
 
 TEST_F(GraphTest, TwoFightersStandSideBySideOrAsADifference) {

@@ -97,7 +97,7 @@ QWidget* GraphCentre::makeHeader() {
                        tr("with labels by hand alone"), tr("with EQU7"), tr("with EQU6"),
                        tr("with EQU5")});
     versus_->setAccessibleName(tr("What it is compared with"));
-    versus_->setToolTip(tr("Compares the matrix with another, side by side or as a difference"));
+    versus_->setToolTip(tr("Compares with another, side by side or as a difference"));
     versus_->setFocusPolicy(Qt::TabFocus);
     connect(versus_, &QComboBox::currentIndexChanged, this, [this](int index) {
         const auto& chosen = kComparisons[static_cast<std::size_t>(index)];
@@ -153,15 +153,14 @@ bool GraphCentre::showsMatrix() const {
 void GraphCentre::showMatrix(bool matrix) {
     views_->setCurrentWidget(matrix ? static_cast<QWidget*>(matrix_) : nodes_);
     viewButtons_->button(matrix ? 0 : 1)->setChecked(true);
-    versus_->setVisible(matrix);
+    refresh();
 }
 
 void GraphCentre::refresh() {
     pages_->setCurrentIndex(graph_.hasGraph() ? 1 : 0);
     why_->setText(graph_.values() == nullptr ? tr("Transitions are being learnt from the labels.")
                                              : graph_.values()->whyNothing);
-    const Versus versus = graph_.options().versus;
-    const bool both = versus == Versus::OtherFighter;
+    const bool both = graph_.options().versus == Versus::OtherFighter;
     moverButtons_->button(graph_.mover())->setChecked(true);
     for (QAbstractButton* button : moverButtons_->buttons())
         button->setEnabled(!both || !showsMatrix());

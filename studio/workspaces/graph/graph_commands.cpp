@@ -89,6 +89,23 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                   {QKeySequence("Shift+N")},
                   [session] { session->stepSurprise(-1); },
                   any});
+    const auto surprise = [&](const char* id, const QString& title, SurpriseKind kind) {
+        commands.add({id,
+                      menu,
+                      title,
+                      {},
+                      [session, kind] {
+                          GraphOptions options = session->options();
+                          options.surprise = kind;
+                          session->setOptions(options);
+                      },
+                      any,
+                      [session, kind] { return session->options().surprise == kind; }});
+    };
+    surprise("graph.surpriseBoth", text("Surprise of bo&th terms"), SurpriseKind::Both);
+    surprise("graph.surpriseLabel", text("Surprise of the label &term"), SurpriseKind::Label);
+    surprise("graph.surpriseGeometry", text("Surprise of the geo&metry term"),
+             SurpriseKind::Geometry);
     const auto rows = [&](const char* id, const QString& title, const char* key, TableRows kind,
                           const QString& where) {
         commands.add({id,

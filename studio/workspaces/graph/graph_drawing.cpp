@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <set>
 
 #include "studio/app/theme.h"
@@ -12,31 +14,51 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr double kApart = 1.18;  ///< from the middle to each graph's, side by side
-constexpr double kDeep = 0.85;   ///< the same, one behind the other
+constexpr double kApart = 1.1;  ///< from the middle to each graph's, side by side
+constexpr double kDeep = 0.85;  ///< the same, one behind the other
 constexpr double kFaded = 0.16;
 constexpr double kLeastRadius = 0.018;
 constexpr double kMostRadius = 0.07;
 
-struct Candidate {
-    GraphScene::Edge edge;
-    GraphSelection meaning;
-    double probability = 0;
-};
+/// The way from the middle to the second of two circles of radius 1 so that both fill a picture
+/// best: to the right where it is wide, downward where it is high, in between where it is neither.
+Eigen::Vector2d wayApart(double aspect) {
+    double low = 0;
+    double high = std::numbers::pi / 2;
+    for (int i = 0; i < 40; ++i) {
+        const double angle = 0.5 * (low + high);
+        const double filled = (kApart * std::cos(angle) + 1) / (kApart * std::sin(angle) + 1);
+        (filled > aspect ? low : high) = angle;
+    }
+    return {kApart * std::cos(low), -kApart * std::sin(low)};
+}
 
 class Drawer {
 public:
     Drawer(const GraphSession& graph, const DrawingOptions& options, const Colours& colours)
-        : graph_(graph), options_(options), colours_(colours) {}
+        : graph_(graph), options_(options), colours_(colours) {
+        drawing_.values = graph.sharedValues();
+        models_ = graph.compares() && graph.options().versus != Versus::OtherFighter;
+        differs_ = graph.compares() && options.difference;
+        const Interaction& own = graph.values()->interaction;
+        drawing_.sides = models_ ? graph.sides()
+                                 : std::array{GraphSide{&own, 0, fighterText(0)},
+                                              GraphSide{&own, 1, fighterText(1)}};
+        for (const std::size_t side : {0U, 1U}) {
+            if (!graph.selection()) break;
+            const auto chosen = carried(*graph.selection(), graph.graph(), graphOf(side));
+            if (!models_ || (chosen && chosen->mover == moverOf(side))) chosen_[side] = chosen;
+        }
+    }
 
     GraphDrawing draw() {
-        for (const int player : {0, 1})
-            addGround(player);
-        for (const int player : {0, 1})
-            addNodes(player);
-        for (const int mover : {0, 1}) {
-            addOwnEdges(mover);
-            if (options_.crossEdges || selects()) addCrossEdges(mover);
+        for (const std::size_t side : {0U, 1U})
+            addGround(side);
+        for (const std::size_t side : {0U, 1U})
+            addNodes(side);
+        for (const std::size_t side : {0U, 1U}) {
+            addOwnEdges(side);
+            if (!models_ && (options_.crossEdges || selects())) addCrossEdges(side);
         }
         addEdges();
         showSelection();
@@ -44,58 +66,94 @@ public:
     }
 
 private:
-    bool selects() const { return graph_.selection().has_value(); }
+    struct Candidate {
+        GraphScene::Edge edge;
+        GraphDrawing::EdgeRef meaning;
+    };
 
-    Eigen::Vector3d centreOf(int player) const {
-        const double side = player == 0 ? -1 : 1;
-        if (options_.inSpace) return {0, 0, -side * kDeep};
-        return options_.upright ? Eigen::Vector3d(0, -side * kApart, 0)
-                                : Eigen::Vector3d(side * kApart, 0, 0);
+    const GraphSide& sideAt(std::size_t side) const { return drawing_.sides[side]; }
+    const CoupledGraph& graphOf(std::size_t side) const { return sideAt(side).graph(); }
+    int moverOf(std::size_t side) const { return sideAt(side).mover; }
+    bool selects() const { return chosen_[0].has_value() || chosen_[1].has_value(); }
+    const QColor& colourOf(std::size_t side) const { return colours_.fighters[moverOf(side)]; }
+
+    Eigen::Vector3d centreOf(std::size_t side) const {
+        const double sign = side == 0 ? -1 : 1;
+        if (options_.inSpace) return {0, 0, -sign * kDeep};
+        const Eigen::Vector2d way = sign * wayApart(options_.aspect);
+        return {way.x(), way.y(), 0};
     }
 
-    void addGround(int player) {
+    void addGround(std::size_t side) {
+        QString caption = sideAt(side).name;
+        if (differs_) caption = GraphSession::tr("%1: more often").arg(caption);
         drawing_.scene.grounds.push_back(
-            {centreOf(player), fighterText(player), colours_.fighterText[player]});
+            {centreOf(side), caption, colours_.fighterText[moverOf(side)]});
     }
 
-    void addNodes(int player) {
-        const CoupledGraph& graph = graph_.graph();
-        first_[static_cast<std::size_t>(player)] = static_cast<int>(drawing_.nodes.size());
+    void addNodes(std::size_t side) {
+        const CoupledGraph& graph = graphOf(side);
+        const int player = moverOf(side);
+        first_[side] = static_cast<int>(drawing_.nodes.size());
         std::size_t most = 1;
         for (int node = 0; node < graph.nodeCount(player); ++node)
             most = std::max(most, graph.node(player, node).actions.size());
         const int now = graph_.moment(player).action;
-        const int lit = now < 0 ? kAnyNode : graph.action(player, now).node;
+        const Label* lit = nullptr;
+        if (now >= 0) {
+            const int node = graph_.graph().action(player, now).node;
+            if (node != kAnyNode) lit = &graph_.graph().node(player, node).label;
+        }
         for (int index = 0; index < graph.nodeCount(player); ++index) {
             const GraphNode& node = graph.node(player, index);
             GraphScene::Node drawn;
-            drawn.name = graph_.nameOf(player, index);
-            drawn.place = centreOf(player);
+            drawn.name = shortLabelWords(*graph.vocabulary, node.label);
+            drawn.place = centreOf(side);
             if (const auto* place = graph_.values()->layout.find(node.text)) {
                 drawn.place += Eigen::Vector3d(place->x(), place->y(), 0);
             }
             const double share =
                 static_cast<double>(node.actions.size()) / static_cast<double>(most);
             drawn.radius = kLeastRadius + (kMostRadius - kLeastRadius) * std::sqrt(share);
-            drawn.fill = colours_.fighters[player];
-            drawn.lit = index == lit;
+            drawn.fill = colourOf(side);
+            drawn.lit = lit != nullptr && *lit == node.label;
             drawn.rank = share + (drawn.lit ? 10 : 0);
             drawing_.scene.nodes.push_back(drawn);
-            drawing_.nodes.push_back({player, index});
+            drawing_.nodes.push_back({static_cast<int>(side), player, index});
         }
     }
 
-    int nodeOf(int player, int node) const {
-        return first_[static_cast<std::size_t>(player)] + node;
+    int nodeOf(std::size_t side, int node) const { return first_[side] + node; }
+
+    /// P(next | own or opponent's label) of a side, and of what the other side does then.
+    std::vector<double> row(std::size_t side, int own, int opponent) const {
+        const GraphSide& here = sideAt(side);
+        std::vector<double> values = here.model().labels.probabilities(own, opponent);
+        if (!differs_) return values;
+        const GraphSide& there = sideAt(1 - side);
+        const auto same = [&](int player, int otherPlayer, int node) -> std::optional<int> {
+            if (node == kAnyNode) return kAnyNode;
+            return there.graph().find(otherPlayer, here.graph().node(player, node).label);
+        };
+        const auto otherOwn = same(here.mover, there.mover, own);
+        const auto otherOpponent = same(1 - here.mover, 1 - there.mover, opponent);
+        if (!otherOwn || !otherOpponent) return values;
+        const auto others = there.model().labels.probabilities(*otherOwn, *otherOpponent);
+        for (std::size_t next = 0; next < values.size(); ++next) {
+            const auto node = same(here.mover, there.mover, static_cast<int>(next));
+            if (node) values[next] -= others[static_cast<std::size_t>(*node)];
+        }
+        return values;
     }
 
     /// The edges of one row of probabilities: the likeliest that were seen.
-    void addRow(const std::vector<double>& probabilities, const Eigen::RowVectorXi& counts,
-                int from, int mover, TransitionFilter filter, const QColor& colour, bool always) {
+    void addRow(std::size_t side, const std::vector<double>& probabilities,
+                const Eigen::RowVectorXi& counts, int from, TransitionFilter filter,
+                const QColor& colour, bool always) {
         std::vector<int> seen;
         for (int next = 0; next < static_cast<int>(probabilities.size()); ++next) {
             const double p = probabilities[static_cast<std::size_t>(next)];
-            if (counts(next) > 0 && p >= options_.least) seen.push_back(next);
+            if (counts(next) > 0 && p >= options_.least && p > 0) seen.push_back(next);
         }
         std::stable_sort(seen.begin(), seen.end(), [&](int a, int b) {
             return probabilities[static_cast<std::size_t>(a)] >
@@ -105,55 +163,52 @@ private:
             const int next = seen[rank];
             const bool few = static_cast<int>(rank) < options_.most;
             filter.next = next;
-            const GraphSelection meaning{mover, filter};
-            const int to = nodeOf(mover, next);
-            if (!few && !(always || isSelected(meaning) || leadsToSelected(mover, next))) continue;
+            const GraphSelection meaning{moverOf(side), filter};
+            const bool wanted = always || chosen_[side] == meaning || leadsToSelected(side, next);
+            if (!few && !wanted) continue;
             const double p = probabilities[static_cast<std::size_t>(next)];
-            candidates_.push_back({{from, to, 0, colour, 0}, meaning, p});
+            candidates_.push_back(
+                {{from, nodeOf(side, next), 0, colour, 0}, {static_cast<int>(side), meaning, p}});
         }
     }
 
-    bool isSelected(const GraphSelection& meaning) const {
-        return selects() && *graph_.selection() == meaning;
+    bool leadsToSelected(std::size_t side, int next) const {
+        const auto& chosen = chosen_[side];
+        return chosen && chosen->mover == moverOf(side) && chosen->filter.next == kAnyNode &&
+               chosen->filter.opponent == kAnyNode && chosen->filter.own == next;
     }
-    bool leadsToSelected(int mover, int next) const {
-        if (!selects()) return false;
-        const GraphSelection& chosen = *graph_.selection();
-        const bool nodeAlone = chosen.filter.next == kAnyNode && chosen.filter.opponent == kAnyNode;
-        return nodeAlone && chosen.mover == mover && chosen.filter.own == next;
-    }
-    /// Whether all that leaves a node is asked for.
-    bool isChosenNode(int player, int node) const {
-        if (!selects()) return false;
-        const GraphSelection& chosen = *graph_.selection();
-        if (chosen.filter.next != kAnyNode) return false;
-        return player == chosen.mover ? chosen.filter.own == node : chosen.filter.opponent == node;
+    /// Whether all that leaves a node is asked for: the mover's, or the opponent's of the mover.
+    bool isChosen(std::size_t side, int own, int opponent) const {
+        const auto& chosen = chosen_[side];
+        if (!chosen || chosen->filter.next != kAnyNode) return false;
+        if (opponent == kAnyNode) {
+            return chosen->mover == moverOf(side) ? chosen->filter.own == own
+                                                  : chosen->filter.opponent == own;
+        }
+        return chosen->mover == moverOf(side) ? chosen->filter.opponent == opponent
+                                              : chosen->filter.own == opponent;
     }
 
-    void addOwnEdges(int mover) {
-        const TransitionModel& model = graph_.model(mover);
-        for (int own = 0; own < graph_.graph().nodeCount(mover); ++own) {
-            addRow(model.labels.probabilities(own, kAnyNode), model.counts.own.row(own),
-                   nodeOf(mover, own), mover, {own, kAnyNode, kAnyNode}, colours_.fighters[mover],
-                   isChosenNode(mover, own));
+    void addOwnEdges(std::size_t side) {
+        const TransitionModel& model = sideAt(side).model();
+        for (int own = 0; own < graphOf(side).nodeCount(moverOf(side)); ++own) {
+            addRow(side, row(side, own, kAnyNode), model.counts.own.row(own), nodeOf(side, own),
+                   {own, kAnyNode, kAnyNode}, colourOf(side), isChosen(side, own, kAnyNode));
         }
     }
 
-    void addCrossEdges(int mover) {
-        const TransitionModel& model = graph_.model(mover);
+    void addCrossEdges(std::size_t side) {
+        const TransitionModel& model = sideAt(side).model();
+        const int mover = moverOf(side);
         const QColor colour = mixed(colours_.secondText, colours_.fighters[mover], 0.35);
-        for (int other = 0; other < graph_.graph().nodeCount(1 - mover); ++other) {
-            const bool chosen = isChosenNode(1 - mover, other);
+        for (int other = 0; other < graphOf(side).nodeCount(1 - mover); ++other) {
             // Without a wish for all of them only those of what is selected.
-            const TransitionFilter filter{kAnyNode, other, kAnyNode};
-            if (!options_.crossEdges && !chosen && !selectsCross(mover, other)) continue;
-            addRow(model.labels.probabilities(kAnyNode, other), model.counts.opponent.row(other),
-                   nodeOf(1 - mover, other), mover, filter, colour, false);
+            const auto& chosen = chosen_[side];
+            const bool among = chosen && chosen->mover == mover && chosen->filter.opponent == other;
+            if (!options_.crossEdges && !isChosen(side, kAnyNode, other) && !among) continue;
+            addRow(side, row(side, kAnyNode, other), model.counts.opponent.row(other),
+                   nodeOf(1 - side, other), {kAnyNode, other, kAnyNode}, colour, false);
         }
-    }
-    bool selectsCross(int mover, int other) const {
-        return selects() && graph_.selection()->mover == mover &&
-               graph_.selection()->filter.opponent == other;
     }
 
     void addEdges() {
@@ -161,9 +216,9 @@ private:
         // far from certain.
         double most = 1e-9;
         for (const Candidate& candidate : candidates_)
-            most = std::max(most, candidate.probability);
+            most = std::max(most, candidate.meaning.probability);
         for (Candidate& candidate : candidates_) {
-            const double share = candidate.probability / most;
+            const double share = candidate.meaning.probability / most;
             candidate.edge.width = 0.01 + 0.03 * share;
             candidate.edge.presence = 0.35 + 0.65 * share;
         }
@@ -174,29 +229,30 @@ private:
         for (const Candidate& candidate : candidates_) {
             drawing_.scene.edges.push_back(candidate.edge);
             drawing_.edges.push_back(candidate.meaning);
-            drawing_.probabilities.push_back(candidate.probability);
         }
     }
 
     void showSelection() {
-        if (!selects()) return;
-        const GraphSelection& chosen = *graph_.selection();
         std::set<int> ends;
-        const auto add = [&](int player, int node) {
+        const auto add = [&](std::size_t side, int node) {
             if (node == kAnyNode) return;
-            const int index = nodeOf(player, node);
+            const int index = nodeOf(side, node);
             ends.insert(index);
             drawing_.scene.nodes[static_cast<std::size_t>(index)].ringed = true;
         };
-        add(chosen.mover, chosen.filter.own);
-        add(1 - chosen.mover, chosen.filter.opponent);
-        add(chosen.mover, chosen.filter.next);
+        for (const std::size_t side : {0U, 1U}) {
+            const auto& chosen = chosen_[side];
+            if (!chosen || chosen->mover != moverOf(side)) continue;
+            add(side, chosen->filter.own);
+            add(side, chosen->filter.next);
+            if (!models_) add(1 - side, chosen->filter.opponent);
+        }
         if (ends.empty()) return;
         std::set<int> near = ends;
         for (GraphScene::Edge& edge : drawing_.scene.edges) {
             const bool both = ends.count(edge.from) && ends.count(edge.to);
             const bool touches =
-                ends.size() == 1 ? ends.count(edge.from) || ends.count(edge.to) : both;
+                selectsNode() ? ends.count(edge.from) || ends.count(edge.to) : both;
             if (!touches) {
                 edge.presence *= kFaded;
                 continue;
@@ -216,11 +272,21 @@ private:
             }
         }
     }
+    /// One label is chosen, not a way from one to another.
+    bool selectsNode() const {
+        const TransitionFilter& filter = graph_.selection()->filter;
+        return (filter.own != kAnyNode) + (filter.opponent != kAnyNode) +
+                   (filter.next != kAnyNode) ==
+               1;
+    }
 
     const GraphSession& graph_;
     const DrawingOptions& options_;
     const Colours& colours_;
     GraphDrawing drawing_;
+    bool models_ = false;   ///< the sides are two models of one fighter
+    bool differs_ = false;  ///< edges are as wide as what the sides differ
+    std::array<std::optional<GraphSelection>, 2> chosen_;  ///< what is selected, in a side's graph
     std::array<int, 2> first_{};
     std::vector<Candidate> candidates_;
 };

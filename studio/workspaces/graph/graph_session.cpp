@@ -3,6 +3,9 @@
 #include <QRegularExpression>
 
 #include <algorithm>
+#include <cmath>
+
+#include "studio/app/words.h"
 
 namespace kumite::studio {
 
@@ -78,6 +81,16 @@ std::vector<int> behind(const CoupledGraph& graph, const GraphSelection& selecti
 
 }  // namespace
 
+std::optional<GraphSelection> carried(const GraphSelection& selection, const CoupledGraph& from,
+                                      const CoupledGraph& to) {
+    const int mover = selection.mover;
+    const auto own = carried(from, to, mover, selection.filter.own);
+    const auto opponent = carried(from, to, 1 - mover, selection.filter.opponent);
+    const auto next = carried(from, to, mover, selection.filter.next);
+    if (!own || !opponent || !next) return std::nullopt;
+    return GraphSelection{mover, {*own, *opponent, *next}};
+}
+
 bool operator==(const GraphSelection& a, const GraphSelection& b) {
     return a.mover == b.mover && a.filter.own == b.filter.own &&
            a.filter.opponent == b.filter.opponent && a.filter.next == b.filter.next;
@@ -99,6 +112,23 @@ QString shortLabelWords(const Vocabulary& vocabulary, const Label& label) {
         }
     }
     return words.isEmpty() ? GraphSession::tr("others") : words.join(QStringLiteral(", "));
+}
+
+QString surpriseName(SurpriseKind kind) {
+    if (kind == SurpriseKind::Label) return GraphSession::tr("label");
+    return kind == SurpriseKind::Geometry ? GraphSession::tr("geometry") : GraphSession::tr("both");
+}
+
+QString surpriseWords(const Surprise& surprise) {
+    const auto p = [](double nats) {
+        const double value = std::exp(-nats);
+        return value < 0.0005 ? GraphSession::tr("P <0.001")
+                              : GraphSession::tr("P %1").arg(QString::number(value, 'f', 3));
+    };
+    return GraphSession::tr("surprise %1 (%2 seen the motion): label %3 (%4), geometry %5")
+        .arg(QString::number(surprise.both, 'f', 1), p(surprise.both),
+             QString::number(surprise.label, 'f', 1), p(surprise.label),
+             QString::asprintf("%+.1f", surprise.geometry));
 }
 
 Project withHandLabels(const Project& project) {
@@ -164,19 +194,9 @@ void GraphSession::take(GraphValues values) {
     const auto before = values_;
     values_ = std::make_shared<const GraphValues>(std::move(values));
     if (before && selection_ && before->interaction.graph != values_->interaction.graph) {
-        const CoupledGraph& from = *before->interaction.graph;
-        const int mover = selection_->mover;
-        const auto own = carried(from, graph(), mover, selection_->filter.own);
-        const auto opponent = carried(from, graph(), 1 - mover, selection_->filter.opponent);
-        const auto next = carried(from, graph(), mover, selection_->filter.next);
         setCurrent(std::nullopt);
-        if (own && opponent && next) {
-            selection_ = GraphSelection{mover, {*own, *opponent, *next}};
-            selected_ = behind(graph(), *selection_);
-        } else {
-            selection_.reset();
-            selected_.clear();
-        }
+        selection_ = carried(*selection_, *before->interaction.graph, graph());
+        selected_ = selection_ ? behind(graph(), *selection_) : std::vector<int>{};
     }
     moments_ = {};
     Q_EMIT valuesChanged();
@@ -197,6 +217,35 @@ void GraphSession::setOptions(const GraphOptions& options) {
     options_ = options;
     Q_EMIT optionsChanged();
     if (learnAnew && active_) due_.start();
+}
+
+bool GraphSession::compares() const {
+    if (!hasGraph()) return false;
+    return options_.versus == Versus::OtherFighter ||
+           (options_.versus != Versus::Nothing && values_->other.has_value());
+}
+
+std::array<GraphSide, 2> GraphSession::sides() const {
+    const auto estimator = [](const Interaction& source) {
+        const auto name = estimatorName(source.settings.estimator);
+        return QString::fromLatin1(name.data(), qsizetype(name.size()));
+    };
+    const Interaction& first = values_->interaction;
+    switch (compares() ? options_.versus : Versus::Nothing) {
+        case Versus::OtherFighter:
+            // Fighter 1 stays at the left, whoever is the active one.
+            return {GraphSide{&first, 0, fighterText(0)}, GraphSide{&first, 1, fighterText(1)}};
+        case Versus::HandLabels:
+            return {GraphSide{&first, mover(), tr("all labels")},
+                    GraphSide{&*values_->other, mover(), tr("labels by hand")}};
+        case Versus::Estimator:
+            return {GraphSide{&first, mover(), estimator(first)},
+                    GraphSide{&*values_->other, mover(), estimator(*values_->other)}};
+        case Versus::Nothing:
+            break;
+    }
+    const GraphSide alone{&first, mover(), estimator(first)};
+    return {alone, alone};
 }
 
 void GraphSession::select(std::optional<GraphSelection> selection) {
@@ -248,6 +297,11 @@ const Transition& GraphSession::transitionOf(const TransitionRef& transition) co
     return graph().transitionsOf(transition.mover)[static_cast<std::size_t>(transition.index)];
 }
 
+const Surprise& GraphSession::surpriseOf(const TransitionRef& transition) const {
+    return values_->surprises[static_cast<std::size_t>(transition.mover)]
+                             [static_cast<std::size_t>(transition.index)];
+}
+
 TransitionPlace GraphSession::placeOf(const TransitionRef& transition) const {
     return kumite::placeOf(graph(), transition.mover, transitionOf(transition));
 }
@@ -294,10 +348,7 @@ void GraphSession::goTo(const TransitionRef& transition) {
 
 std::vector<TransitionRef> GraphSession::bySurprise() const {
     std::vector<TransitionRef> order;
-    const auto surprise = [this](const TransitionRef& t) {
-        const auto& all = values_->surprises[static_cast<std::size_t>(t.mover)];
-        return all[static_cast<std::size_t>(t.index)].total;
-    };
+    const auto surprise = [this](const TransitionRef& t) { return shownSurprise(t); };
     for (const int mover : {0, 1}) {
         const auto& all = graph().transitionsOf(mover);
         for (std::size_t i = 0; i < all.size(); ++i) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/interaction/graph_layout.h"
+#include "core/interaction/surprise.h"
 #include "core/interaction/transition_table.h"
 #include "core/project/interaction.h"
 #include "studio/app/session.h"
@@ -36,8 +37,21 @@ struct GraphOptions {
     LabelEstimator estimator = LabelEstimator::Equ7;
     Versus versus = Versus::Nothing;
     LabelEstimator versusEstimator = LabelEstimator::Equ5;
+    SurpriseKind surprise = SurpriseKind::Both;
 
     bool operator==(const GraphOptions&) const = default;
+};
+
+/// One of two that are looked at side by side: whose transitions, by which model.
+struct GraphSide {
+    const Interaction* source = nullptr;
+    int mover = 0;
+    QString name;
+
+    const CoupledGraph& graph() const { return *source->graph; }
+    const TransitionModel& model() const {
+        return *source->models[static_cast<std::size_t>(mover)];
+    }
 };
 
 /// What somebody wants to look behind: transitions of a mover.
@@ -82,6 +96,8 @@ public:
 
     /// Null until learnt for the first time.
     const GraphValues* values() const { return values_.get(); }
+    /// The same for who shows them on after others were learnt.
+    std::shared_ptr<const GraphValues> sharedValues() const { return values_; }
     /// Whether there is any transition to look at.
     bool hasGraph() const { return values_ != nullptr && values_->whyNothing.isEmpty(); }
     const CoupledGraph& graph() const { return *values_->interaction.graph; }
@@ -94,6 +110,11 @@ public:
     int mover() const { return std::clamp(session_.activePlayer(), 0, 1); }
     const GraphOptions& options() const { return options_; }
     void setOptions(const GraphOptions& options);
+
+    /// Whether two are compared: both fighters, or the mover by two models.
+    bool compares() const;
+    /// The two that are compared; where nothing is, the mover twice.
+    std::array<GraphSide, 2> sides() const;
 
     const std::optional<GraphSelection>& selection() const { return selection_; }
     void select(std::optional<GraphSelection> selection);
@@ -110,6 +131,11 @@ public:
     /// Where a transition stands.
     TransitionPlace placeOf(const TransitionRef& transition) const;
     const Transition& transitionOf(const TransitionRef& transition) const;
+    const Surprise& surpriseOf(const TransitionRef& transition) const;
+    /// Of the kind that is looked at, nats.
+    double shownSurprise(const TransitionRef& transition) const {
+        return valueOf(surpriseOf(transition), options_.surprise);
+    }
     /// Shows a transition's two actions and plays them in a loop.
     void play(const TransitionRef& transition);
     /// Plays the first of what is selected, then the next at each call, round at the end.
@@ -153,6 +179,15 @@ private:
 
 /// A label in the fewest words that tell it, for tables and drawings: "right punch fwd, L-R".
 QString shortLabelWords(const Vocabulary& vocabulary, const Label& label);
+
+/// All that is known of a transition's surprise, for a line or a tip.
+QString surpriseWords(const Surprise& surprise);
+/// "both", "label", "geometry".
+QString surpriseName(SurpriseKind kind);
+
+/// A selection in one graph as the same labels of another; nothing where these are not there.
+std::optional<GraphSelection> carried(const GraphSelection& selection, const CoupledGraph& from,
+                                      const CoupledGraph& to);
 
 /// The project with the labels of hands alone.
 Project withHandLabels(const Project& project);

@@ -12,7 +12,7 @@
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
-#include "studio/workspaces/graph/graph_session.h"
+#include "studio/workspaces/graph/chooser_row.h"
 #include "studio/workspaces/graph/matrix_view.h"
 
 namespace kumite::studio {
@@ -77,9 +77,7 @@ void MatrixPage::layOut() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(8, 0, 8, 0);
-    row->setSpacing(6);
+    QHBoxLayout* row = addChooserRow(*layout);
     for (QComboBox* box : {rows_, sort_, values_, how_}) {
         box->setFocusPolicy(Qt::TabFocus);
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -88,7 +86,6 @@ void MatrixPage::layOut() {
     }
     row->addWidget(logarithmic_);
     row->addStretch(1);
-    layout->addLayout(row);
     auto* matrices = new QHBoxLayout;
     matrices->setSpacing(1);
     for (const int number : {0, 1}) {
@@ -127,34 +124,12 @@ void MatrixPage::setDifference(bool difference) {
     how_->setCurrentIndex(difference ? 1 : 0);
 }
 
-bool MatrixPage::compares() const {
-    const Versus versus = graph_.options().versus;
-    return versus == Versus::OtherFighter ||
-           (versus != Versus::Nothing && graph_.values()->other.has_value());
-}
-
 MatrixPage::Side MatrixPage::sideOf(int number) const {
-    const Versus versus = graph_.options().versus;
-    Side side;
-    side.mover = graph_.mover();
-    // Fighter 1 stays at the left, whoever is the active one.
-    if (versus == Versus::OtherFighter) side.mover = number;
-    const bool second = number == 1 && versus != Versus::OtherFighter;
-    const Interaction& source = second ? *graph_.values()->other : graph_.values()->interaction;
-    side.graph = source.graph.get();
+    Side side{graph_.sides()[static_cast<std::size_t>(number)], {}};
     const auto kind = static_cast<TableRows>(rows_->currentIndex());
     const bool counted = values_->currentIndex() == 3;
-    const auto& model = source.models[static_cast<std::size_t>(side.mover)];
-    side.table = counted ? countedTable(*side.graph, side.mover, kind)
-                         : transitionTable(*side.graph, side.mover, model->labels, kind);
-    if (versus == Versus::OtherFighter) {
-        side.name = fighterText(side.mover);
-    } else if (versus == Versus::HandLabels) {
-        side.name = second ? tr("labels by hand") : tr("all labels");
-    } else {
-        const auto name = estimatorName(source.settings.estimator);
-        side.name = QString::fromLatin1(name.data(), qsizetype(name.size()));
-    }
+    side.table = counted ? countedTable(side.graph(), side.mover, kind)
+                         : transitionTable(side.graph(), side.mover, side.model().labels, kind);
     return side;
 }
 
@@ -162,13 +137,13 @@ QString MatrixPage::rowName(const TablePairing::Place& place) const {
     const Side& side = sides_[place.first >= 0 ? 0 : 1];
     const auto& row =
         side.table.rows[static_cast<std::size_t>(place.first >= 0 ? place.first : place.second)];
-    const Vocabulary& words = *side.graph->vocabulary;
+    const Vocabulary& words = *side.graph().vocabulary;
     QStringList parts;
     if (row.own != kAnyNode) {
-        parts.append(shortLabelWords(words, side.graph->node(side.mover, row.own).label));
+        parts.append(shortLabelWords(words, side.graph().node(side.mover, row.own).label));
     }
     if (row.opponent != kAnyNode) {
-        parts.append(shortLabelWords(words, side.graph->node(1 - side.mover, row.opponent).label));
+        parts.append(shortLabelWords(words, side.graph().node(1 - side.mover, row.opponent).label));
     }
     return parts.join(QStringLiteral(" | "));
 }
@@ -176,7 +151,7 @@ QString MatrixPage::rowName(const TablePairing::Place& place) const {
 QString MatrixPage::columnName(const TablePairing::Place& place) const {
     const Side& side = sides_[place.first >= 0 ? 0 : 1];
     const int node = place.first >= 0 ? place.first : place.second;
-    return shortLabelWords(*side.graph->vocabulary, side.graph->node(side.mover, node).label);
+    return shortLabelWords(*side.graph().vocabulary, side.graph().node(side.mover, node).label);
 }
 
 MatrixTable MatrixPage::tableOf(int number) const {
@@ -213,11 +188,12 @@ MatrixTable MatrixPage::tableOf(int number) const {
 
 void MatrixPage::refresh() {
     if (!graph_.hasGraph()) return;
-    const bool two = compares();
+    const bool two = graph_.compares();
     how_->setVisible(two);
+    shown_ = graph_.sharedValues();
     sides_[0] = sideOf(0);
     sides_[1] = two ? sideOf(1) : sides_[0];
-    pairing_ = pairTables(*sides_[0].graph, sides_[0].mover, sides_[0].table, *sides_[1].graph,
+    pairing_ = pairTables(sides_[0].graph(), sides_[0].mover, sides_[0].table, sides_[1].graph(),
                           sides_[1].mover, sides_[1].table);
     const Colours& c = coloursFor(palette());
     const QString given[] = {tr("P(next | own)"), tr("P(next | opponent)"),
@@ -309,7 +285,7 @@ void MatrixPage::showSelection() {
     for (const int number : {0, 1}) {
         const Side& side = sides_[static_cast<std::size_t>(number)];
         const bool own = selection && graph_.hasGraph() && side.mover == selection->mover &&
-                         side.graph == &graph_.graph();
+                         &side.graph() == &graph_.graph();
         views_[static_cast<std::size_t>(number)]->setChosen(own ? placeOf(number, selection->filter)
                                                                 : std::nullopt);
     }
@@ -319,7 +295,7 @@ void MatrixPage::showMoment() {
     for (const int number : {0, 1}) {
         const Side& side = sides_[static_cast<std::size_t>(number)];
         std::optional<MatrixPlace> place;
-        if (graph_.hasGraph() && side.graph == &graph_.graph()) {
+        if (graph_.hasGraph() && &side.graph() == &graph_.graph()) {
             const GraphMoment& moment = graph_.moment(side.mover);
             place = placeOf(number, {moment.decision.own, moment.decision.opponent, moment.next});
         }
@@ -331,7 +307,7 @@ void MatrixPage::choose(int number, const MatrixPlace& place) {
     // What one side lacks the other may have.
     for (const int candidate : {number, 1 - number}) {
         const Side& side = sides_[static_cast<std::size_t>(candidate)];
-        if (side.graph != &graph_.graph()) continue;
+        if (&side.graph() != &graph_.graph()) continue;
         if (const auto filter = filterOf(candidate, place)) {
             graph_.select(GraphSelection{side.mover, *filter});
             return;

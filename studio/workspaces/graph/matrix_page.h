@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/interaction/transition_table.h"
+#include "studio/workspaces/graph/graph_session.h"
 #include "studio/workspaces/graph/matrix_table.h"
 
 class QCheckBox;
@@ -12,7 +13,6 @@ class QComboBox;
 
 namespace kumite::studio {
 
-class GraphSession;
 class MatrixView;
 
 /// The matrix of the Graph workspace and how it is shown: what the rows know, in which order, on
@@ -38,17 +38,13 @@ protected:
 
 private:
     /// One of the tables that are compared, and whose it is.
-    struct Side {
-        const CoupledGraph* graph = nullptr;
-        int mover = 0;
+    struct Side : GraphSide {
         TransitionTable table;
-        QString name;
     };
 
     void layOut();
     void refresh();
     Side sideOf(int number) const;
-    bool compares() const;
     MatrixTable tableOf(int number) const;
     QString rowName(const TablePairing::Place& place) const;
     QString columnName(const TablePairing::Place& place) const;
@@ -67,6 +63,7 @@ private:
     QComboBox* how_;
     QCheckBox* logarithmic_;
     std::array<MatrixView*, 2> views_{};
+    std::shared_ptr<const GraphValues> shown_;  ///< what the sides are part of
     std::array<Side, 2> sides_;
     TablePairing pairing_;
 };

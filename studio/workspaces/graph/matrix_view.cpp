@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/grid_keys.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
@@ -19,10 +20,6 @@ namespace {
 
 constexpr double kUsualCell = 17;
 constexpr double kLargestFitted = 34;
-
-bool isStep(int key) {
-    return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
-}
 
 }  // namespace
 
@@ -246,39 +243,17 @@ void MatrixView::step(int rows, int columns) {
 }
 
 void MatrixView::keyPressEvent(QKeyEvent* event) {
-    const int leap = event->modifiers() & Qt::ShiftModifier ? 10 : 1;
-    if (isEmpty()) {
-        QAbstractScrollArea::keyPressEvent(event);
-        return;
-    }
-    switch (event->key()) {
-        case Qt::Key_Left:
-            step(0, -leap);
-            break;
-        case Qt::Key_Right:
-            step(0, leap);
-            break;
-        case Qt::Key_Up:
-            step(-leap, 0);
-            break;
-        case Qt::Key_Down:
-            step(leap, 0);
-            break;
-        default:
-            QWidget::keyPressEvent(event);
+    const auto way = isEmpty() ? std::nullopt : gridStep(*event);
+    if (way) {
+        step(way->rows, way->columns);
+    } else {
+        QWidget::keyPressEvent(event);
     }
 }
 
 bool MatrixView::event(QEvent* event) {
     // Inside the matrix the arrow keys walk over cells, elsewhere over frames.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto* key = static_cast<QKeyEvent*>(event);
-        const auto others = key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
-        if (others == Qt::NoModifier && isStep(key->key())) {
-            event->accept();
-            return true;
-        }
-    }
+    if (claimsGridKey(event)) return true;
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {
         viewport()->update();
     }

@@ -2,17 +2,16 @@
 
 #include <QCheckBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
-#include <QVBoxLayout>
 
-#include <cmath>
+#include <algorithm>
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/view3d/graph_view.h"
+#include "studio/workspaces/graph/chooser_row.h"
 
 namespace kumite::studio {
 
@@ -35,6 +34,7 @@ NodePage::NodePage(GraphSession& graph, QWidget* parent)
       view_(new GraphView(this)),
       space_(new QToolButton(this)),
       cross_(new QCheckBox(tr("cross edges"), this)),
+      difference_(new QCheckBox(tr("difference"), this)),
       least_(new QSlider(Qt::Horizontal, this)),
       most_(new QSlider(Qt::Horizontal, this)),
       leastText_(new QLabel(this)),
@@ -46,6 +46,8 @@ NodePage::NodePage(GraphSession& graph, QWidget* parent)
     cross_->setToolTip(
         tr("Also what a fighter does next given what the opponent is doing; those of what is "
            "selected show always"));
+    difference_->setToolTip(
+        tr("Of each side only what it does more often than the other, as wide as the difference"));
     least_->setRange(0, kLeastSteps);
     least_->setAccessibleName(tr("Least probability of an edge"));
     most_->setRange(1, kMostEdges);
@@ -55,6 +57,10 @@ NodePage::NodePage(GraphSession& graph, QWidget* parent)
     connect(space_, &QToolButton::toggled, this, &NodePage::setInSpace);
     connect(cross_, &QCheckBox::toggled, this, [this](bool on) {
         options_.crossEdges = on;
+        refresh();
+    });
+    connect(difference_, &QCheckBox::toggled, this, [this](bool on) {
+        options_.difference = on;
         refresh();
     });
     connect(least_, &QSlider::valueChanged, this, [this](int step) {
@@ -72,6 +78,7 @@ NodePage::NodePage(GraphSession& graph, QWidget* parent)
         graph_.playNext();
     });
     connect(&graph_, &GraphSession::valuesChanged, this, &NodePage::refresh);
+    connect(&graph_, &GraphSession::optionsChanged, this, &NodePage::refresh);
     connect(&graph_, &GraphSession::selectionChanged, this, &NodePage::refresh);
     connect(&graph_, &GraphSession::momentChanged, this, [this] {
         if (isVisible()) refresh();
@@ -83,11 +90,10 @@ void NodePage::layOut() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(8, 0, 8, 0);
-    row->setSpacing(6);
+    QHBoxLayout* row = addChooserRow(*layout);
     row->addWidget(space_);
     row->addWidget(cross_);
+    row->addWidget(difference_);
     const auto addSlider = [&](QLabel* text, QSlider* slider, const QString& widest) {
         text->setProperty("role", "second");
         text->setMinimumWidth(fontMetrics().horizontalAdvance(widest));
@@ -98,10 +104,9 @@ void NodePage::layOut() {
         row->addWidget(text);
         row->addWidget(slider, 1);
     };
-    addSlider(leastText_, least_, tr("P ≥ 0.000"));
+    addSlider(leastText_, least_, tr("ΔP ≥ 0.000"));
     addSlider(mostText_, most_, tr("12 a node"));
     row->addStretch(1);
-    layout->addLayout(row);
     layout->addWidget(view_, 1);
 }
 
@@ -114,26 +119,41 @@ void NodePage::setInSpace(bool inSpace) {
 }
 
 void NodePage::showNumbers() {
-    leastText_->setText(tr("P ≥ %1").arg(QString::number(options_.least, 'f', 3)));
+    const QString sign = graph_.compares() && options_.difference ? tr("ΔP ≥ %1") : tr("P ≥ %1");
+    leastText_->setText(sign.arg(QString::number(options_.least, 'f', 3)));
     mostText_->setText(tr("%1 a node").arg(options_.most));
 }
 
 void NodePage::refresh() {
     showNumbers();
     if (!graph_.hasGraph()) return;
-    options_.upright = view_->height() > view_->width();
+    const bool models = graph_.compares() && graph_.options().versus != Versus::OtherFighter;
+    difference_->setVisible(graph_.compares());
+    cross_->setVisible(!models);  // the opponent's labels stand in neither side
+    options_.aspect = aspect();
     drawing_ = drawGraph(graph_, options_, coloursFor(palette()));
     view_->show(drawing_.scene);
 }
 
+double NodePage::aspect() const {
+    return static_cast<double>(view_->width()) / std::max(1, view_->height());
+}
+
 std::optional<GraphSelection> NodePage::meaningOf(const GraphPick& pick) const {
     const auto index = static_cast<std::size_t>(pick.index);
+    GraphSelection meaning;
+    std::size_t side = 0;
     if (pick.kind == GraphPick::Kind::Edge) {
-        return index < drawing_.edges.size() ? std::optional(drawing_.edges[index]) : std::nullopt;
+        if (index >= drawing_.edges.size()) return std::nullopt;
+        meaning = drawing_.edges[index].meaning;
+        side = static_cast<std::size_t>(drawing_.edges[index].side);
+    } else {
+        if (index >= drawing_.nodes.size()) return std::nullopt;
+        const GraphDrawing::NodeRef& node = drawing_.nodes[index];
+        meaning = {node.player, {node.node, kAnyNode, kAnyNode}};
+        side = static_cast<std::size_t>(node.side);
     }
-    if (index >= drawing_.nodes.size()) return std::nullopt;
-    const GraphDrawing::NodeRef& node = drawing_.nodes[index];
-    return GraphSelection{node.player, {node.node, kAnyNode, kAnyNode}};
+    return carried(meaning, drawing_.sides[side].graph(), graph_.graph());
 }
 
 void NodePage::choose(const std::optional<GraphPick>& pick) {
@@ -141,26 +161,32 @@ void NodePage::choose(const std::optional<GraphPick>& pick) {
 }
 
 void NodePage::tell(const std::optional<GraphPick>& pick) {
-    const auto meaning = pick ? meaningOf(*pick) : std::nullopt;
+    const auto index = pick ? static_cast<std::size_t>(pick->index) : 0;
+    const auto nameOf = [this](int side, int player, int node) {
+        const CoupledGraph& graph = drawing_.sides[static_cast<std::size_t>(side)].graph();
+        return shortLabelWords(*graph.vocabulary, graph.node(player, node).label);
+    };
     QString text;
-    if (meaning && pick->kind == GraphPick::Kind::Node) {
-        const auto& node = graph_.graph().node(meaning->mover, meaning->filter.own);
+    if (pick && pick->kind == GraphPick::Kind::Node && index < drawing_.nodes.size()) {
+        const auto& [side, player, node] = drawing_.nodes[index];
+        const GraphSide& where = drawing_.sides[static_cast<std::size_t>(side)];
         text = tr("%1: %2   ·   %3 actions")
-                   .arg(fighterText(meaning->mover),
-                        graph_.nameOf(meaning->mover, meaning->filter.own))
-                   .arg(node.actions.size());
-    } else if (meaning) {
-        const bool cross = meaning->filter.own == kAnyNode;
-        const int mover = meaning->mover;
-        const int from = cross ? meaning->filter.opponent : meaning->filter.own;
-        text = tr("%1: %2 → %3   ·   P %4   ·   seen %5 times")
+                   .arg(where.name, nameOf(side, player, node))
+                   .arg(where.graph().node(player, node).actions.size());
+    } else if (pick && pick->kind == GraphPick::Kind::Edge && index < drawing_.edges.size()) {
+        const auto& [side, meaning, probability] = drawing_.edges[index];
+        const GraphSide& where = drawing_.sides[static_cast<std::size_t>(side)];
+        const bool cross = meaning.filter.own == kAnyNode;
+        const int mover = meaning.mover;
+        const int from = cross ? meaning.filter.opponent : meaning.filter.own;
+        text = tr("%1: %2 → %3   ·   %4 %5   ·   seen %6 times")
                    .arg(cross ? tr("%1 on %2").arg(fighterText(mover), fighterText(1 - mover))
-                              : fighterText(mover),
-                        graph_.nameOf(cross ? 1 - mover : mover, from),
-                        graph_.nameOf(mover, meaning->filter.next),
-                        QString::number(
-                            drawing_.probabilities[static_cast<std::size_t>(pick->index)], 'f', 3))
-                   .arg(transitionsBehind(graph_.graph(), mover, meaning->filter).size());
+                              : where.name,
+                        nameOf(side, cross ? 1 - mover : mover, from),
+                        nameOf(side, mover, meaning.filter.next),
+                        options_.difference && graph_.compares() ? tr("more often by") : tr("P"),
+                        QString::number(probability, 'f', 3))
+                   .arg(transitionsBehind(where.graph(), mover, meaning.filter).size());
     }
     Q_EMIT graph_.session().hovered(text);
 }
@@ -172,8 +198,7 @@ void NodePage::changeEvent(QEvent* event) {
 
 void NodePage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    const bool upright = view_->height() > view_->width();
-    if (upright != options_.upright) refresh();
+    if (aspect() != options_.aspect) refresh();
 }
 
 }  // namespace kumite::studio

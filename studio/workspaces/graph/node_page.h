@@ -33,6 +33,7 @@ private:
     void layOut();
     void refresh();
     void showNumbers();
+    double aspect() const;
     void choose(const std::optional<GraphPick>& pick);
     void tell(const std::optional<GraphPick>& pick);
     std::optional<GraphSelection> meaningOf(const GraphPick& pick) const;
@@ -43,6 +44,7 @@ private:
     GraphView* view_;
     QToolButton* space_;
     QCheckBox* cross_;
+    QCheckBox* difference_;
     QSlider* least_;
     QSlider* most_;
     QLabel* leastText_;

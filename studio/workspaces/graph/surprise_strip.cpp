@@ -1,7 +1,10 @@
 #include "studio/workspaces/graph/surprise_strip.h"
 
+#include <QActionGroup>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolButton>
 
 #include <algorithm>
 #include <cmath>
@@ -18,29 +21,94 @@ constexpr double kBar = 3;
 constexpr double kReach = 5;  // pixels
 
 /// The surprise that all but one in thirty stay below: a single odd pose must not flatten the rest.
-double usualTop(const std::vector<Surprise>& all) {
-    std::vector<double> totals;
+double usualTop(const std::vector<Surprise>& all, SurpriseKind kind) {
+    std::vector<double> values;
     for (const Surprise& each : all)
-        totals.push_back(each.total);
-    if (totals.empty()) return 0;
-    const auto rank = totals.begin() + static_cast<std::ptrdiff_t>(totals.size() * 29 / 30);
-    std::nth_element(totals.begin(), rank, totals.end());
+        values.push_back(valueOf(each, kind));
+    if (values.empty()) return 0;
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 29 / 30);
+    std::nth_element(values.begin(), rank, values.end());
     return *rank;
 }
 }  // namespace
 
 SurpriseStrip::SurpriseStrip(GraphSession& graph, TimelineView& timeline, QWidget* parent)
-    : QWidget(parent), graph_(graph), timeline_(timeline) {
+    : QWidget(parent), graph_(graph), timeline_(timeline), kind_(new QToolButton(this)) {
     setAccessibleName(tr("Surprise of the transitions"));
     setMouseTracking(true);
     setFixedHeight(static_cast<int>(2 * kRow));
+    addChoice();
     Session& session = graph_.session();
     connect(&graph_, &GraphSession::valuesChanged, this, &SurpriseStrip::takeValues);
+    connect(&graph_, &GraphSession::optionsChanged, this, &SurpriseStrip::takeValues);
     connect(&graph_, &GraphSession::currentChanged, this, &SurpriseStrip::invalidate);
     connect(&session, &Session::visibleChanged, this, &SurpriseStrip::invalidate);
     connect(&session, &Session::takeChanged, this, &SurpriseStrip::invalidate);
     connect(&session.transport(), &Transport::moved, this, qOverload<>(&QWidget::update));
     hide();
+}
+
+void SurpriseStrip::addChoice() {
+    struct Entry {
+        SurpriseKind kind;
+        QString text;
+        QString tip;
+    };
+    const Entry entries[] = {
+        {SurpriseKind::Both, tr("Both terms"),
+         tr("−log P(next | own, opponent, motion): seen how it moves, another label was likelier. "
+            "Finds labels that are wrong.")},
+        {SurpriseKind::Label, tr("Label term alone"),
+         tr("−log P(next | own, opponent): a label that seldom follows. Finds rare decisions.")},
+        {SurpriseKind::Geometry, tr("Geometry term alone"),
+         tr("−log density of places, facing and poses under the label, from its mean: no "
+            "probability. Finds odd poses and places.")}};
+    auto* menu = new QMenu(kind_);
+    menu->setToolTipsVisible(true);
+    auto* group = new QActionGroup(menu);
+    for (const Entry& entry : entries) {
+        QAction* action = menu->addAction(entry.text);
+        action->setToolTip(entry.tip);
+        action->setCheckable(true);
+        action->setData(static_cast<int>(entry.kind));
+        group->addAction(action);
+        connect(action, &QAction::triggered, this, [this, kind = entry.kind] {
+            GraphOptions options = graph_.options();
+            options.surprise = kind;
+            graph_.setOptions(options);
+        });
+    }
+    const auto follow = [this, group] {
+        const SurpriseKind kind = graph_.options().surprise;
+        kind_->setText(tr("surprise: %1").arg(surpriseName(kind)));
+        for (QAction* action : group->actions()) {
+            if (action->data().toInt() != static_cast<int>(kind)) continue;
+            action->setChecked(true);
+            kind_->setToolTip(tr("How unexpected each transition was to a model that had not seen "
+                                 "it, in nats.\n%1")
+                                  .arg(action->toolTip()));
+        }
+        layOutChoice();
+    };
+    kind_->setMenu(menu);
+    kind_->setPopupMode(QToolButton::InstantPopup);
+    kind_->setProperty("role", "small");
+    kind_->setFocusPolicy(Qt::TabFocus);
+    kind_->setAccessibleName(tr("Which surprise is shown"));
+    connect(&graph_, &GraphSession::optionsChanged, this, follow);
+    follow();
+}
+
+void SurpriseStrip::layOutChoice() {
+    const QSize size = kind_->sizeHint();
+    const int room = static_cast<int>(rowOf(0).left()) - 46 - 10;
+    kind_->setGeometry(10, (height() - size.height()) / 2, std::min(size.width(), room),
+                       size.height());
+}
+
+void SurpriseStrip::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layOutChoice();
 }
 
 QSize SurpriseStrip::sizeHint() const {
@@ -52,19 +120,18 @@ QRectF SurpriseStrip::rowOf(int player) const {
     return {map.left, player * kRow + 3, map.width, kRow - 5};
 }
 
-double SurpriseStrip::surpriseOf(const TransitionRef& transition) const {
-    const auto& all = graph_.values()->surprises[static_cast<std::size_t>(transition.mover)];
-    return all[static_cast<std::size_t>(transition.index)].total;
-}
-
 void SurpriseStrip::takeValues() {
     hovered_.reset();
     top_ = 1;
-    for (const int mover : {0, 1}) {
+    const SurpriseKind kind = graph_.options().surprise;
+    const bool isProbability = kind != SurpriseKind::Geometry;
+    for (const std::size_t mover : {0U, 1U}) {
         if (!graph_.hasGraph()) break;
-        top_ = std::max(top_, 1.15 * uniformSurprise(graph_.model(mover)));
-        top_ =
-            std::max(top_, usualTop(graph_.values()->surprises[static_cast<std::size_t>(mover)]));
+        const double usual = usualTop(graph_.values()->surprises[mover], kind);
+        // Worse than an even guess; where there is no such thing, what few exceed.
+        odd_[mover] =
+            isProbability ? uniformSurprise(graph_.model(static_cast<int>(mover))) : usual;
+        top_ = std::max({top_, usual, isProbability ? 1.15 * odd_[mover] : 0.0});
     }
     setVisible(graph_.isActive() && graph_.hasGraph());
     invalidate();
@@ -82,7 +149,8 @@ QRectF SurpriseStrip::barOf(const TransitionRef& transition) const {
     const double x = map.xOf(place.seconds);
     if (x < map.left - kBar || x > map.left + map.width + kBar) return {};
     const QRectF row = rowOf(transition.mover);
-    const double height = std::clamp(surpriseOf(transition) / top_, 0.04, 1.0) * row.height();
+    const double height =
+        std::clamp(graph_.shownSurprise(transition) / top_, 0.04, 1.0) * row.height();
     return {x - kBar / 2, row.bottom() - height, kBar, height};
 }
 
@@ -123,16 +191,13 @@ void SurpriseStrip::paintStill(QPainter& painter) const {
         const QRectF row = rowOf(mover);
         painter.fillRect(QRectF(0, mover * kRow + 1, 4, kRow - 2), c.fighters[mover]);
         painter.setPen(c.secondText);
-        painter.drawText(QRectF(12, row.top() - 2, row.left() - 46, row.height() + 4),
-                         Qt::AlignLeft | Qt::AlignVCenter, tr("surprise"));
         painter.drawText(QRectF(row.left() - 40, row.top() - 2, 35, row.height() + 4),
                          Qt::AlignRight | Qt::AlignVCenter, QString::number(top_, 'f', 1));
         painter.setPen(c.line);
         painter.drawLine(QPointF(row.left(), row.bottom()), row.bottomRight());
-        // Above this line the model was worse than an even guess.
-        const double even = uniformSurprise(graph_.model(mover)) / top_;
+        const double odd = odd_[static_cast<std::size_t>(mover)];
         painter.setPen(QPen(mixed(c.line, c.secondText, 0.5), 1, Qt::DashLine));
-        const double y = std::round(row.bottom() - even * row.height()) + 0.5;
+        const double y = std::round(row.bottom() - odd / top_ * row.height()) + 0.5;
         painter.drawLine(QPointF(row.left(), y), QPointF(row.right(), y));
         painter.save();
         painter.setClipRect(row.adjusted(-2, -3, 2, 1));
@@ -141,12 +206,12 @@ void SurpriseStrip::paintStill(QPainter& painter) const {
             const TransitionRef ref{mover, static_cast<int>(i)};
             const QRectF bar = barOf(ref);
             if (bar.isEmpty()) continue;
-            const bool above = surpriseOf(ref) / top_ > even;
+            const bool above = graph_.shownSurprise(ref) > odd;
             QColor colour = above ? c.fighterText[mover] : mixed(c.ground, c.fighters[mover], 0.6);
             if (ref == graph_.current()) colour = c.accent;
             painter.fillRect(bar, colour);
             // Beyond the axis: it goes on.
-            if (surpriseOf(ref) > top_) {
+            if (graph_.shownSurprise(ref) > top_) {
                 painter.fillRect(QRectF(bar.left() - 1, row.top() - 2, kBar + 2, 2), colour);
             }
         }
@@ -188,16 +253,11 @@ void SurpriseStrip::hover(const std::optional<TransitionRef>& transition) {
     if (hovered_) {
         const Transition& t = graph_.transitionOf(*hovered_);
         const int mover = hovered_->mover;
-        const Surprise& surprise =
-            graph_.values()->surprises[static_cast<std::size_t>(mover)]
-                                      [static_cast<std::size_t>(hovered_->index)];
-        text = tr("%1 · %2 · %3 → %4 while %5   ·   surprise %6 nats: labels %7, geometry %8")
+        text = tr("%1 · %2 · %3 → %4 while %5   ·   %6")
                    .arg(fighterText(mover), timeText(graph_.placeOf(*hovered_).seconds),
                         graph_.nameOf(mover, t.ownNode), graph_.nameOf(mover, t.nextNode),
                         graph_.nameOf(1 - mover, t.opponentNode),
-                        QString::number(surprise.total, 'f', 1),
-                        QString::number(surprise.label, 'f', 1),
-                        QString::number(surprise.geometry, 'f', 1));
+                        surpriseWords(graph_.surpriseOf(*hovered_)));
     }
     Q_EMIT graph_.session().hovered(text);
     update();

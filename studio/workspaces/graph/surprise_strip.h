@@ -3,17 +3,21 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <array>
 #include <optional>
 
 #include "studio/timeline/time_mapping.h"
 #include "studio/workspaces/graph/graph_session.h"
 
+class QToolButton;
+
 namespace kumite::studio {
 
 class TimelineView;
 
-/// How unexpected each observed transition is, −log P over time, one row per fighter; over the
-/// timeline and on its scale. What stands out is mislabelled or odd; a click leads there.
+/// How unexpected each observed transition is over time, one row per fighter; over the timeline and
+/// on its scale. What stands out is mislabelled or odd; a click leads there. Which surprise is
+/// meant is chosen at its left.
 class SurpriseStrip : public QWidget {
     Q_OBJECT
 
@@ -28,6 +32,7 @@ public:
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
@@ -35,7 +40,8 @@ protected:
 
 private:
     QRectF rowOf(int player) const;
-    double surpriseOf(const TransitionRef& transition) const;
+    void addChoice();
+    void layOutChoice();
     void takeValues();
     void invalidate();
     void paintStill(QPainter& painter) const;
@@ -45,8 +51,10 @@ private:
     GraphSession& graph_;
     TimelineView& timeline_;
     std::optional<TransitionRef> hovered_;
-    double top_ = 1;  ///< the surprise that fills a row
-    QPixmap still_;   ///< all but what follows pointer and playhead
+    QToolButton* kind_;
+    double top_ = 1;               ///< the surprise that fills a row
+    std::array<double, 2> odd_{};  ///< by mover, from where on it stands out
+    QPixmap still_;                ///< all but what follows pointer and playhead
     bool stillValid_ = false;
 };
 

@@ -43,15 +43,12 @@ QVariant TraceModel::data(const QModelIndex& index, int role) const {
             .arg(graph_.nameOf(ref.mover, t.ownNode), graph_.nameOf(ref.mover, t.nextNode),
                  graph_.nameOf(1 - ref.mover, t.opponentNode));
     };
-    const double surprise =
-        graph_.values()
-            ->surprises[static_cast<std::size_t>(ref.mover)][static_cast<std::size_t>(ref.index)]
-            .total;
     switch (role) {
         case Qt::DisplayRole: {
             const TransitionPlace place = graph_.placeOf(ref);
             if (index.column() == TimeColumn) return timeText(place.seconds, 0.01);
-            if (index.column() == SurpriseColumn) return QString::number(surprise, 'f', 1);
+            if (index.column() == SurpriseColumn)
+                return QString::number(graph_.shownSurprise(ref), 'f', 1);
             return words();
         }
         case Qt::TextAlignmentRole:
@@ -61,9 +58,9 @@ QVariant TraceModel::data(const QModelIndex& index, int role) const {
         case Qt::AccessibleTextRole: {
             const TransitionPlace place = graph_.placeOf(ref);
             const auto& take = graph_.graph().takes[static_cast<std::size_t>(place.take)];
-            return tr("%1, %2: %3\nsurprise %4 nats\nA click plays it")
+            return tr("%1, %2: %3\n%4\nA click plays it")
                 .arg(QString::fromStdString(take), timeText(place.seconds), words(),
-                     QString::number(surprise, 'f', 2));
+                     surpriseWords(graph_.surpriseOf(ref)));
         }
         default:
             return {};
@@ -76,10 +73,11 @@ QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int ro
         return section == SurpriseColumn ? int(Qt::AlignRight) : int(Qt::AlignLeft);
     }
     if (role == Qt::ToolTipRole && section == SurpriseColumn) {
-        return tr("Surprise: −log P of what came next, by a model that had not seen it");
+        return tr("Surprise (%1), nats: how unexpected it was to a model that had not seen it")
+            .arg(surpriseName(graph_.options().surprise));
     }
     if (role != Qt::DisplayRole) return {};
-    const QString texts[] = {tr("time"), tr("own → next | opponent"), tr("−log P")};
+    const QString texts[] = {tr("time"), tr("own → next | opponent"), tr("surprise")};
     return texts[section];
 }
 
@@ -119,12 +117,13 @@ TraceBox::TraceBox(GraphSession& graph, QWidget* parent)
     header->resizeSection(TraceModel::TimeColumn,
                           fontMetrics().horizontalAdvance(QStringLiteral("00:00.00")) + 6);
     header->resizeSection(TraceModel::SurpriseColumn,
-                          fontMetrics().horizontalAdvance(tr("−log P")) + 10);
+                          header->fontMetrics().horizontalAdvance(tr("surprise")) + 14);
     layout->addWidget(table_, 1);
     connect(table_, &QTableView::clicked, this,
             [this](const QModelIndex& index) { graph_.play(model_->at(index.row())); });
     connect(&graph_, &GraphSession::selectionChanged, this, &TraceBox::showSelection);
     connect(&graph_, &GraphSession::valuesChanged, this, &TraceBox::showSelection);
+    connect(&graph_, &GraphSession::optionsChanged, this, &TraceBox::showSelection);
     connect(&graph_, &GraphSession::currentChanged, this, &TraceBox::showCurrent);
     showSelection();
 }

@@ -1,22 +1,11 @@
 #include "studio/workspaces/graph/what_if_model.h"
 
-#include <QApplication>
-#include <QPainter>
-
 #include <algorithm>
 
+#include "studio/app/candidate_row.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
-
-namespace {
-
-/// "0.42", "<0.01": two digits tell candidates apart.
-QString shortNumber(double p) {
-    return p < 0.005 ? QStringLiteral("<0.01") : QString::number(p, 'f', 2);
-}
-
-}  // namespace
 
 WhatIfModel::WhatIfModel(const GraphSession& graph, QObject* parent)
     : QAbstractListModel(parent), graph_(graph) {}
@@ -66,56 +55,24 @@ WhatIfDelegate::WhatIfDelegate(const WhatIfModel& model, QObject* parent)
     : QStyledItemDelegate(parent), model_(model) {}
 
 QSize WhatIfDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const {
-    return {100, 2 * option.fontMetrics.height() + 8};
+    return candidateRowSize(option);
 }
 
 void WhatIfDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                            const QModelIndex& index) const {
-    QStyleOptionViewItem ground = option;
-    ground.text.clear();
-    QApplication::style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &ground, painter,
-                                         option.widget);
-    const Colours& c = coloursFor(option.palette);
-    const NextLabel& row = model_.rows()[static_cast<std::size_t>(index.row())];
-    const QColor colour = c.fighters[model_.mover()];
-    const QRectF area = QRectF(option.rect).adjusted(4, 3, -4, -3);
-    const double line = option.fontMetrics.height();
-    painter->save();
-    QFont font = option.font;
-    const bool actual = model_.isActual(index.row());
-    font.setBold(actual);
-    painter->setFont(font);
-    const QRectF first(area.left(), area.top(), area.width(), line);
-    const QString p = tr("P %1").arg(shortNumber(row.product));
-    const double room = painter->fontMetrics().horizontalAdvance(p) + 6;
-    painter->setPen(c.text);
-    painter->drawText(first, Qt::AlignRight | Qt::AlignVCenter, p);
-    const QString mark = actual ? QStringLiteral("▸ ") : QString();
-    painter->drawText(
-        first, Qt::AlignLeft | Qt::AlignVCenter,
-        painter->fontMetrics().elidedText(mark + index.data().toString(), Qt::ElideMiddle,
-                                          static_cast<int>(first.width() - room)));
-    font.setBold(false);
-    font.setPointSizeF(std::max(7.5, font.pointSizeF() - 1.0));
-    painter->setFont(font);
-    const double count = 30;
-    const int terms = model_.hasGeometry() ? 2 : 1;
-    const double width = (area.width() - count) / terms;
-    const auto bar = [&](int place, const QString& text, double share) {
-        const QRectF box(area.left() + place * width, area.top() + line + 2, width - 4, line - 2);
-        painter->fillRect(box, mixed(c.panel, c.line, 0.45));
-        QRectF part = box;
-        part.setWidth(std::max(1.0, box.width() * std::clamp(share, 0.0, 1.0)));
-        painter->fillRect(part, mixed(c.panel, colour, c.dark ? 0.6 : 0.45));
-        painter->setPen(c.text);
-        painter->drawText(box.adjusted(3, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, text);
-    };
-    bar(0, tr("label %1").arg(shortNumber(row.label)), row.label);
-    if (terms == 2) bar(1, tr("geom. %1").arg(shortNumber(row.geometry)), row.geometry);
-    painter->setPen(row.examples > 0 ? c.text : c.secondText);
-    painter->drawText(QRectF(area.right() - count, area.top() + line + 2, count, line - 2),
-                      Qt::AlignRight | Qt::AlignVCenter, tr("n %1").arg(row.examples));
-    painter->restore();
+    const NextLabel& next = model_.rows()[static_cast<std::size_t>(index.row())];
+    CandidateRow row;
+    row.name = index.data().toString();
+    row.chance = tr("P %1").arg(chanceText(next.product));
+    row.isTaken = model_.isActual(index.row());
+    row.colour = coloursFor(option.palette).fighters[model_.mover()];
+    row.bars.append({tr("label %1").arg(chanceText(next.label)), next.label});
+    if (model_.hasGeometry()) {
+        row.bars.append({tr("geom. %1").arg(chanceText(next.geometry)), next.geometry});
+    }
+    row.count = tr("n %1").arg(next.examples);
+    row.isCountFaint = next.examples == 0;
+    paintCandidateRow(*painter, option, row);
 }
 
 }  // namespace kumite::studio

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/grid_keys.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 
@@ -150,39 +151,16 @@ void ConfusionMatrix::changeEvent(QEvent* event) {
 
 bool ConfusionMatrix::event(QEvent* event) {
     // The arrows belong to the matrix while it has the focus, not to the playhead.
-    if (event->type() == QEvent::ShortcutOverride) {
-        switch (static_cast<QKeyEvent*>(event)->key()) {
-            case Qt::Key_Left:
-            case Qt::Key_Right:
-            case Qt::Key_Up:
-            case Qt::Key_Down:
-            case Qt::Key_Return:
-            case Qt::Key_Enter:
-                event->accept();
-                return true;
-            default:
-                break;
-        }
-    }
-    return QWidget::event(event);
+    return claimsGridKey(event, {Qt::Key_Return, Qt::Key_Enter}) || QWidget::event(event);
 }
 
 void ConfusionMatrix::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-        case Qt::Key_Left:
-            return move(0, -1);
-        case Qt::Key_Right:
-            return move(0, 1);
-        case Qt::Key_Up:
-            return move(-1, 0);
-        case Qt::Key_Down:
-            return move(1, 0);
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-            if (current_) Q_EMIT opened(*current_);
-            return;
-        default:
-            QWidget::keyPressEvent(event);
+    if (const auto step = gridStep(*event)) {
+        move(step->rows, step->columns);
+    } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        if (current_) Q_EMIT opened(*current_);
+    } else {
+        QWidget::keyPressEvent(event);
     }
 }
 

@@ -1,0 +1,64 @@
+#include "studio/workspaces/bout/bout_bar.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+#include "studio/app/commands.h"
+#include "studio/app/words.h"
+#include "studio/workspaces/bout/bout_session.h"
+
+namespace kumite::studio {
+
+BoutBar::BoutBar(BoutSession& bout, CommandTable& commands, QWidget* parent)
+    : QWidget(parent),
+      bout_(bout),
+      time_(new QLabel(this)),
+      end_(new QLabel(this)),
+      speed_(new QLabel(this)) {
+    setFixedHeight(30);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 2, 12, 2);
+    layout->setSpacing(2);
+    for (const char* command : {"bout.start", "bout.back", "bout.play", "bout.on", "bout.end"}) {
+        auto* button = new QToolButton(this);
+        button->setDefaultAction(commands.action(QLatin1String(command)));
+        button->setAccessibleName(button->defaultAction()->text());
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setIconSize({16, 16});
+        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        layout->addWidget(button);
+    }
+    layout->addSpacing(10);
+    QFont large = font();
+    large.setPointSizeF(large.pointSizeF() + 2);
+    time_->setFont(large);
+    time_->setMinimumWidth(QFontMetrics(large).horizontalAdvance(QStringLiteral("00:00.000")));
+    time_->setAccessibleName(tr("Time of the bout"));
+    layout->addWidget(time_);
+    layout->addSpacing(8);
+    for (QLabel* label : {end_, speed_}) {
+        label->setProperty("role", "second");
+        layout->addWidget(label);
+        layout->addSpacing(8);
+    }
+    end_->setMinimumWidth(fontMetrics().horizontalAdvance(tr("of %1").arg("00:00.0")));
+    layout->addStretch(1);
+    connect(&bout_, &BoutSession::moved, this, &BoutBar::showMoment);
+    connect(&bout_, &BoutSession::begun, this, &BoutBar::showMoment);
+    connect(&bout_, &BoutSession::stateChanged, this, &BoutBar::showMoment);
+    showMoment();
+}
+
+void BoutBar::showMoment() {
+    const BoutTape* tape = bout_.tape();
+    time_->setText(timeText(tape ? tape->frame() / bout_.rate() : 0));
+    const bool back = tape != nullptr && tape->frame() < tape->end();
+    end_->setText(back ? tr("of %1").arg(timeText(tape->end() / bout_.rate(), 0.1)) : QString());
+    speed_->setText(bout_.speed() == 1.0
+                        ? QString()
+                        : QString::number(bout_.speed(), 'g', 3) + QStringLiteral("×"));
+}
+
+}  // namespace kumite::studio

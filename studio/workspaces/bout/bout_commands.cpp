@@ -1,0 +1,304 @@
+#include "studio/workspaces/bout/bout_commands.h"
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QProgressDialog>
+#include <QSettings>
+
+#include <cmath>
+
+#include "core/project/kept_bout.h"
+#include "studio/app/commands.h"
+#include "studio/view3d/stage_view.h"
+#include "studio/workspaces/bout/bout_export.h"
+#include "studio/workspaces/bout/bout_session.h"
+
+namespace kumite::studio {
+
+namespace {
+
+/// Translations of this file.
+QString text(const char* source) {
+    return QApplication::translate("kumite::studio::BoutCommands", source);
+}
+
+/// "Kick", "Right punch": what a key asks for.
+QString commandText(const BoutSession& bout, const std::string& words) {
+    const Vocabulary& vocabulary = bout.library().vocabulary();
+    const auto aspect = vocabulary.find(words);
+    QString name = QString::fromStdString(aspect ? vocabulary[*aspect].name : words);
+    if (!name.isEmpty()) name[0] = name[0].toUpper();
+    return text("Avatar: %1").arg(name);
+}
+
+/// A name in the folder of the document for what comes of a bout.
+QString suggestion(BoutSession& bout, const QString& suffix) {
+    const Document& document = bout.session().document();
+    const QFileInfo project(document.path());
+    const QString folder = document.path().isEmpty()
+                               ? QSettings().value(QStringLiteral("exportFolder")).toString()
+                               : project.path();
+    const auto seed = bout.tape()->now().settings().seed;
+    return folder + QLatin1Char('/') + QStringLiteral("bout-%1%2").arg(seed).arg(suffix);
+}
+
+void keepAsTake(BoutSession& bout, StageView& stage) {
+    Document& document = bout.session().document();
+    if (!document.isCurrent()) {
+        Q_EMIT bout.session().hinted(text("The analysis is not finished yet."));
+        return;
+    }
+    bout.setPlaying(false);
+    const QString path = QFileDialog::getSaveFileName(
+        stage.window(), text("Keep the bout as a take"), suggestion(bout, QStringLiteral(".bvh")),
+        text("Recordings, NAME-1 and NAME-2 (*.bvh)"));
+    if (path.isEmpty()) return;
+    const QFileInfo info(path);
+    const int revision = bout.revision();
+    bout.writing().start(
+        text("Keeping the bout"),
+        [project = document.project(), analysis = document.analysis(), tape = *bout.tape(),
+         name = info.completeBaseName().toStdString(),
+         folder = info.path().toStdString()](const Progress& progress) {
+            return keepBout(project, analysis, tape, name, folder, progress);
+        },
+        [&bout, revision](KeptBout kept) {
+            Document& now = bout.session().document();
+            if (bout.revision() != revision) {
+                Q_EMIT bout.failed(
+                    text("The project changed while the bout was written. Its files "
+                         "are there; open them as a take, or keep it again under "
+                         "another name."));
+                return;
+            }
+            const std::string take = kept.edit.project.takes.back().name;
+            now.apply(Document::ProjectEdit(
+                [&kept](const Project&) { return MaybeEdit(std::move(kept.edit)); }));
+            Q_EMIT bout.session().hinted(
+                text("Kept as take %1. Detection alone finds %2 % and %3 % of its boundaries.")
+                    .arg(QString::fromStdString(take))
+                    .arg(std::lround(100 * kept.foundAgain[0]))
+                    .arg(std::lround(100 * kept.foundAgain[1])));
+        });
+}
+
+/// Pictures of every shown frame at 30 Hz: the window shows them one by one while they are written.
+QString writeFilm(BoutSession& bout, StageView& stage, const QString& path) {
+    QProgressDialog progress(text("Writing the bout"), text("Cancel"), 0, 1000, stage.window());
+    progress.setWindowModality(Qt::WindowModal);
+    const int head = bout.tape()->frame();
+    FilmFrames frames;
+    const double seconds = bout.tape()->end() / bout.rate();
+    frames.count = static_cast<int>(std::floor(seconds * frames.rate)) + 1;
+    frames.picture = [&](int index) {
+        bout.seek(static_cast<int>(std::lround(index / frames.rate * bout.rate())));
+        return stage.picture();
+    };
+    frames.goesOn = [&](double share) {
+        progress.setValue(static_cast<int>(1000 * share));
+        return !progress.wasCanceled();
+    };
+    const bool video = path.endsWith(QLatin1String(".mp4"), Qt::CaseInsensitive);
+    const QString failure = video ? writeVideo(frames, path) : writePictures(frames, path);
+    bout.seek(head);
+    return failure;
+}
+
+void exportBout(BoutSession& bout, StageView& stage) {
+    bout.setPlaying(false);
+    QString path = QFileDialog::getSaveFileName(
+        stage.window(), text("Export the bout"), suggestion(bout, QStringLiteral(".bvh")),
+        text("Motion of both, NAME-1 and NAME-2 (*.bvh);;glTF: skeletons and animation (*.glb);;"
+             "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes "
+             "it again (*.json)"));
+    if (path.isEmpty()) return;
+    QSettings().setValue(QStringLiteral("exportFolder"), QFileInfo(path).absolutePath());
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == QLatin1String("png") || suffix == QLatin1String("mp4")) {
+        const QString failure = writeFilm(bout, stage, path);
+        if (failure.isEmpty()) {
+            Q_EMIT bout.session().hinted(text("Written: %1").arg(path));
+        } else {
+            Q_EMIT bout.failed(failure);
+        }
+        return;
+    }
+    bout.writing().start(
+        text("Writing the bout"),
+        [project = bout.session().document().project(), tape = *bout.tape(),
+         path](const Progress& progress) {
+            writeBout(project, tape, path, progress);
+            return path;
+        },
+        [&bout](const QString& written) {
+            Q_EMIT bout.session().hinted(text("Written: %1").arg(written));
+        });
+}
+
+}  // namespace
+
+void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage) {
+    const QString menu = text("&Bout");
+    const QString group = QLatin1Char('-') + menu;
+    BoutSession* session = &bout;
+    StageView* view = &stage;
+    const auto there = [session] { return session->tape() != nullptr; };
+    commands.add({"bout.play",
+                  menu,
+                  text("&Fight or pause"),
+                  {QKeySequence("Space")},
+                  [session] { session->setPlaying(!session->isPlaying()); },
+                  there,
+                  {},
+                  "play"});
+    commands.add({"bout.begin",
+                  menu,
+                  text("Begin a&new"),
+                  {QKeySequence("Ctrl+B")},
+                  [session] { session->begin(); },
+                  there});
+    commands.add({"bout.nextSeed",
+                  menu,
+                  text("Begin with the next &seed"),
+                  {QKeySequence("Ctrl+Shift+B")},
+                  [session] {
+                      BoutSettings settings = session->wanted();
+                      ++settings.seed;
+                      session->setWanted(settings);
+                  },
+                  there});
+    commands.add({"bout.reseed",
+                  menu,
+                  text("Go on from here with other &draws"),
+                  {QKeySequence("R")},
+                  [session] {
+                      const auto& tape = *session->tape();
+                      session->reseed(tape.now().settings().seed + 1 +
+                                      static_cast<std::uint64_t>(tape.commands().size()));
+                  },
+                  there});
+    const auto step = [&](const char* id, const QString& title, const QList<QKeySequence>& keys,
+                          double seconds, const QString& icon, const QString& where) {
+        commands.add({id,
+                      where,
+                      title,
+                      keys,
+                      [session, seconds] {
+                          const int frames =
+                              static_cast<int>(std::lround(seconds * session->rate()));
+                          session->step(frames != 0 ? frames : seconds < 0 ? -1 : 1);
+                      },
+                      there,
+                      {},
+                      icon});
+    };
+    step("bout.back", text("One frame back"), {QKeySequence("Left"), QKeySequence(",")}, -1e-6,
+         "step_back", group);
+    step("bout.on", text("One frame on"), {QKeySequence("Right"), QKeySequence(".")}, 1e-6,
+         "step_on", menu);
+    step("bout.backSecond", text("One second back"), {QKeySequence("Shift+Left")}, -1, {}, menu);
+    step("bout.onSecond", text("One second on"), {QKeySequence("Shift+Right")}, 1, {}, menu);
+    commands.add({"bout.start",
+                  menu,
+                  text("To the start"),
+                  {QKeySequence("Home")},
+                  [session] { session->seek(0); },
+                  there,
+                  {},
+                  "to_begin"});
+    commands.add({"bout.end",
+                  menu,
+                  text("To the end of what was shown"),
+                  {QKeySequence("End")},
+                  [session] { session->seek(session->tape()->end()); },
+                  there,
+                  {},
+                  "to_end"});
+    commands.add({"bout.slower",
+                  menu,
+                  text("Slower"),
+                  {QKeySequence("-")},
+                  [session] { session->setSpeed(session->speed() / 2); },
+                  there});
+    commands.add({"bout.faster",
+                  menu,
+                  text("Faster"),
+                  {QKeySequence("+"), QKeySequence("=")},
+                  [session] { session->setSpeed(session->speed() * 2); },
+                  there});
+    const auto mode = [&](const char* id, const QString& title, BoutMode which,
+                          const QString& where) {
+        commands.add({id,
+                      where,
+                      title,
+                      {},
+                      [session, which] {
+                          BoutSettings settings = session->wanted();
+                          settings.mode = which;
+                          session->setWanted(settings);
+                      },
+                      there,
+                      [session, which] { return session->wanted().mode == which; }});
+    };
+    mode("bout.automatic", text("&Automatic: the model decides"), BoutMode::Automatic, group);
+    mode("bout.avatar", text("A&vatar: keys lead one fighter"), BoutMode::Avatar, menu);
+    mode("bout.passive", text("&Passive: one answers a captured attack"), BoutMode::Passive, menu);
+    for (int key = 1; key <= kAvatarKeys; ++key) {
+        const auto index = static_cast<std::size_t>(key - 1);
+        Command command{QStringLiteral("bout.act%1").arg(key),
+                        key == 1 ? group : menu,
+                        text("Avatar: key %1").arg(key),
+                        {QKeySequence(QString::number(key))},
+                        [session, index] {
+                            const auto words = session->commandWords();
+                            if (index < words.size()) session->ask(words[index]);
+                        }};
+        command.enabled = [session, index] {
+            return session->steers() && index < session->commandWords().size();
+        };
+        command.repeats = false;
+        commands.add(std::move(command));
+    }
+    commands.add({"bout.release",
+                  menu,
+                  text("Avatar: &forget what was asked for"),
+                  {QKeySequence("0")},
+                  [session] {
+                      session->release();
+                      session->setTarget(std::nullopt);
+                  },
+                  [session] { return session->steers(); }});
+    commands.add({"bout.measure",
+                  group,
+                  text("&Measure the quality"),
+                  {QKeySequence("Q")},
+                  [session] { session->judge(); },
+                  there});
+    commands.add({"bout.keep",
+                  menu,
+                  text("&Keep as a take…"),
+                  {QKeySequence("Ctrl+T")},
+                  [session, view] { keepAsTake(*session, *view); },
+                  there});
+    commands.add({"bout.export",
+                  menu,
+                  text("E&xport the bout…"),
+                  {QKeySequence("Ctrl+Shift+E")},
+                  [session, view] { exportBout(*session, *view); },
+                  there});
+    CommandTable* table = &commands;
+    QObject::connect(session, &BoutSession::begun, table, [table, session] {
+        const auto words = session->tape() ? session->commandWords() : std::vector<std::string>();
+        for (int key = 1; key <= kAvatarKeys; ++key) {
+            const auto index = static_cast<std::size_t>(key - 1);
+            table->setText(QStringLiteral("bout.act%1").arg(key),
+                           index < words.size() ? commandText(*session, words[index])
+                                                : text("Avatar: key %1").arg(key));
+        }
+        table->refresh();
+    });
+    QObject::connect(session, &BoutSession::stateChanged, table, &CommandTable::refresh);
+}
+
+}  // namespace kumite::studio
