@@ -47,6 +47,10 @@ std::vector<FighterLabels> labelsOf(const std::string& file, const OpenProject& 
     return std::move(matched.fighters);
 }
 
+std::string counted(std::size_t number, const char* one, const char* many) {
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
 void compare(const OpenProject& open, const Options& o, std::optional<int> take,
              const Streams& streams) {
     const auto first = o.compare.size() > 1 ? labelsOf(o.compare[0], open, take, streams)
@@ -75,10 +79,11 @@ void printAgreement(const OpenProject& open, const Agreement& agreement, const S
                                    aspect.same, kappaText(aspect.kappa));
     }
     streams.out << fmt::format(
-        "{} actions labelled by both, {} of them the same, kappa {}; {} by the first only, {} by "
-        "the second; {} values differ\n",
-        agreement.both, agreement.same, kappaText(agreement.kappa), agreement.onlyFirst,
-        agreement.onlySecond, agreement.differences.size());
+        "{} labelled by both, {} of them the same, kappa {}; {} by the first only, {} by "
+        "the second; {}\n",
+        counted(static_cast<std::size_t>(agreement.both), "action", "actions"), agreement.same,
+        kappaText(agreement.kappa), agreement.onlyFirst, agreement.onlySecond,
+        counted(agreement.differences.size(), "value differs", "values differ"));
 }
 
 Json agreementJson(const OpenProject& open, const Agreement& agreement) {

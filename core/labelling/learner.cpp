@@ -122,6 +122,7 @@ struct TrainingSet::Data {
             if (!name) continue;
             rows.indices.push_back(static_cast<int>(i));
             rows.classes.push_back(*name);
+            rows.examples += i < examples.size();
         }
         return rows;
     }

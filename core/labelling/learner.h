@@ -26,11 +26,11 @@ struct Example {
 struct Prediction {
     int qualifier = kUnknown;  ///< kUnknown: the aspect has no example
     double margin = 0;         ///< distance to the next best, in units of the machine's margin
-    double confidence = 0;     ///< calibrated probability; 0 where only one class has been seen, or
-                               ///< where probabilities were not asked for
+    double confidence = 0;     ///< calibrated probability; where only one class has been seen, how
+                               ///< rare others must be (rule of three); 0 if not asked for
     bool blind = true;         ///< fewer than two classes seen: nothing was learnt
     int second = kUnknown;     ///< the qualifier that comes next; kUnknown: none
-    double secondConfidence = 0;  ///< its probability, as `confidence`
+    double secondConfidence = 0;  ///< its probability, as `confidence`; never above that
 };
 
 /// Predictions of all rows, row by row, one per aspect of the vocabulary (rule aspects stay blind).

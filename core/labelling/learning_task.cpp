@@ -9,6 +9,32 @@ namespace {
 /// Rows of a kernel that takes 16 MB.
 constexpr Eigen::Index kLargeKernel = 1000;
 
+/// What is said is decided; where its probability came out below that of the second, the two share
+/// alike.
+void agreeWithDecision(Prediction& prediction) {
+    if (prediction.secondConfidence <= prediction.confidence) return;
+    prediction.confidence = (prediction.confidence + prediction.secondConfidence) / 2;
+    prediction.secondConfidence = prediction.confidence;
+}
+
+/// Two were found to hold that cannot both: their probabilities, given that not both do. `other`
+/// has been withdrawn, its confidence is still that of what it was.
+void shareBetween(Prediction& kept, Prediction& other) {
+    const double own = kept.confidence * (1 - other.confidence);
+    const double others = (1 - kept.confidence) * other.confidence;
+    const double neither = (1 - kept.confidence) * (1 - other.confidence);
+    const double all = own + others + neither;
+    // Both for certain: a toss-up.
+    const double share = all > 0 ? own / all : 0.5;
+    other.secondConfidence = all > 0 ? others / all : 0.5;
+    other.confidence = 1 - other.secondConfidence;
+    // What else the kept aspect might be has gained what it lost.
+    if (kept.confidence < 1) kept.secondConfidence *= (1 - share) / (1 - kept.confidence);
+    kept.confidence = share;
+    agreeWithDecision(kept);
+    agreeWithDecision(other);
+}
+
 bool isLearnt(const Aspect& aspect) {
     return aspect.classifier == Classifier::Msvm;
 }
@@ -62,6 +88,7 @@ TaskMachine::TaskMachine(const LearningTask& task, const TaskRows& rows, KernelC
                                           parameters.c, probabilities, seed);
     } else if (!rows.classes.empty()) {
         only_ = rows.classes.front();
+        if (probabilities) onlyConfidence_ = std::max(0.0, 1 - 3.0 / rows.examples);
     }
 }
 
@@ -71,8 +98,8 @@ void TaskMachine::answer(std::span<const float> squaredDistances, Prediction* as
     const bool decidedBefore =
         task_.givenLimb && first.qualifier == (*task_.vocabulary)[task_.aspects.front()].fallback;
     if (decidedBefore) return;
-    const Msvm::Answer answer =
-        machine_ ? machine_->predict(squaredDistances) : Msvm::Answer{*only_, 0, 0, kUnknown, 0};
+    const Msvm::Answer answer = machine_ ? machine_->predict(squaredDistances)
+                                         : Msvm::Answer{*only_, 0, onlyConfidence_, kUnknown, 0};
     if (!task_.whichLimbs) {
         const Prediction limb = first;
         first = {answer.choice, answer.margin, answer.probability,
@@ -88,6 +115,7 @@ void TaskMachine::answer(std::span<const float> squaredDistances, Prediction* as
         } else {
             first.secondConfidence = limb.confidence * answer.secondProbability;
         }
+        if (first.confidence > 0) agreeWithDecision(first);
         return;
     }
     for (std::size_t i = 0; i < task_.aspects.size(); ++i) {
@@ -111,10 +139,14 @@ void resolveConflicts(const Vocabulary& vocabulary, Prediction* aspects) {
             if (!isSaid(i) || !isSaid(other)) continue;
             const int weaker = aspects[i].margin < aspects[other].margin ? i : other;
             Prediction& withdrawn = aspects[weaker];
+            Prediction& kept = aspects[weaker == i ? other : i];
             withdrawn.second = withdrawn.qualifier;
-            withdrawn.secondConfidence = withdrawn.confidence;
             withdrawn.qualifier = *vocabulary[weaker].fallback;
-            if (withdrawn.confidence > 0) withdrawn.confidence = 1 - withdrawn.confidence;
+            if (withdrawn.confidence > 0 && kept.confidence > 0) {
+                shareBetween(kept, withdrawn);
+            } else {
+                withdrawn.secondConfidence = withdrawn.confidence = 0;
+            }
         }
     }
 }

@@ -29,6 +29,7 @@ std::vector<LearningTask> learningTasks(const Vocabulary& vocabulary, bool limbF
 struct TaskRows {
     std::vector<int> indices;
     std::vector<int> classes;
+    int examples = 0;  ///< without mirror images
 
     int classCount() const;
 };
@@ -44,7 +45,9 @@ private:
     std::map<double, MsvmKernel> kernels_;
 };
 
-/// A task with its trained machine; with one class seen it always answers that.
+/// A task with its trained machine; with one class seen it always answers that, and with
+/// probabilities as sure as the rule of three: of n examples of one kind, others are with 95 %
+/// certainty rarer than 3 / n.
 class TaskMachine {
 public:
     TaskMachine(const LearningTask& task, const TaskRows& rows, KernelCache& kernels,
@@ -58,6 +61,7 @@ public:
 private:
     const LearningTask& task_;
     std::optional<int> only_;
+    double onlyConfidence_ = 0;
     std::unique_ptr<Msvm> machine_;
 };
 

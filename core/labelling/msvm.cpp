@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <utility>
+#include <numeric>
 
 #include <svm.h>
 
@@ -33,6 +33,30 @@ void fillRow(std::span<const float> squaredDistances, double gamma, svm_node* no
                         static_cast<double>(std::exp(scale * squaredDistances[j]))};
     }
     nodes[squaredDistances.size() + 1] = {-1, 0};
+}
+
+/// Probabilities and votes come from different fits and may disagree about a close call; what is
+/// chosen is what the votes say. This makes the probabilities the nearest ones (least squares) of
+/// which none is above the chosen class's: it and all that are likelier share alike. Gives the
+/// likeliest of the others.
+std::size_t agreeWithVotes(std::vector<double>& probabilities, std::size_t chosen) {
+    std::vector<std::size_t> others(probabilities.size());
+    std::iota(others.begin(), others.end(), std::size_t{0});
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(chosen));
+    std::stable_sort(others.begin(), others.end(), [&](std::size_t a, std::size_t b) {
+        return probabilities[a] > probabilities[b];
+    });
+    double share = probabilities[chosen];
+    std::size_t sharing = 0;
+    while (sharing < others.size() && probabilities[others[sharing]] > share) {
+        const auto before = static_cast<double>(sharing + 1);
+        share = (share * before + probabilities[others[sharing]]) / (before + 1);
+        ++sharing;
+    }
+    probabilities[chosen] = share;
+    for (std::size_t i = 0; i < sharing; ++i)
+        probabilities[others[i]] = share;
+    return others.front();
 }
 
 std::mutex& randomGenerator() {
@@ -102,10 +126,9 @@ struct Msvm::Model {
         if (svm->probA) {
             std::vector<double> probabilities(classes);
             svm_predict_probability(svm, row, probabilities.data());
-            answer.probability = std::exchange(probabilities[chosen], -1.0);
-            const auto next = std::max_element(probabilities.begin(), probabilities.end());
-            answer.secondProbability = *next;
-            second = static_cast<std::size_t>(next - probabilities.begin());
+            second = agreeWithVotes(probabilities, chosen);
+            answer.probability = probabilities[chosen];
+            answer.secondProbability = probabilities[second];
         }
         answer.second = svm->label[second];
         return answer;

@@ -37,7 +37,8 @@ public:
         int choice = 0;     ///< the class with the most votes
         double margin = 0;  ///< its smallest decision value against another class; below 0 where
                             ///< the votes go round in a circle
-        double probability = 0;  ///< of `choice`; 0 if trained without probabilities
+        double probability = 0;  ///< of `choice`, no other class's is above it; 0 if trained
+                                 ///< without probabilities
         int second = 0;          ///< the class that comes next: the likeliest of the others, or
                                  ///< without probabilities the one that `margin` is against
         double secondProbability = 0;

@@ -53,6 +53,10 @@ void compareAction(FighterAddress fighter, int action, const Label& first, const
     const bool other = saysSomething(second);
     result.onlyFirst += one && !other;
     result.onlySecond += other && !one;
+    for (std::size_t a = 0; !one && a < second.size(); ++a) {
+        if (second[a] == kUnknown) continue;
+        result.additions.push_back({fighter, action, static_cast<int>(a), kUnknown, second[a]});
+    }
     if (!one || !other) return;
     ++result.both;
     bool same = true;

@@ -49,6 +49,8 @@ struct Agreement {
     std::optional<double> kappa;
     /// Where the two differ on an action that both labelled, by fighter, action and aspect.
     std::vector<LabelDifference> differences;
+    /// What the second said of the `onlySecond` actions, in the same order; `first` is unknown.
+    std::vector<LabelDifference> additions;
 };
 
 /// Both sets are labels per action as actionLabels and matchLabels give them, for `project` as it

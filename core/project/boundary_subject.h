@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,8 +38,12 @@ struct Subject {
     const ForceMinimum& minimum(int index) const {
         return values.force->minima[static_cast<std::size_t>(index)];
     }
+    /// On the take's clock, as a timeline shows it: "at 1:08.80, fighter 2".
     std::string at(int frame) const {
-        return fmt::format("at {:.2f} s, fighter {}", frame / fighter.rate, player);
+        const long long hundredths = std::llround(100 * timeOfFrame(fighter, frame));
+        const long long whole = std::llabs(hundredths);
+        return fmt::format("at {}{}:{:02}.{:02}, fighter {}", hundredths < 0 ? "-" : "",
+                           whole / 6000, whole / 100 % 60, whole % 100, player);
     }
 };
 

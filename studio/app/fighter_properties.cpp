@@ -5,7 +5,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -20,6 +19,7 @@
 #include "studio/app/body_models.h"
 #include "studio/app/commands.h"
 #include "studio/app/opening.h"
+#include "studio/app/questions.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 
@@ -361,8 +361,8 @@ void FighterProperties::applyBodyModel(int index) {
     if (index >= 0 && index < static_cast<int>(brought.size())) {
         model = brought[static_cast<std::size_t>(index)].model;
     } else if (index == bodyModel_->count() - 1) {
-        const QString path = QFileDialog::getOpenFileName(this, tr("Open a body model"), {},
-                                                          tr("Body models (*.json)"));
+        const QString path =
+            fileToOpen(this, tr("Open a body model"), {}, tr("Body models (*.json)"));
         try {
             if (!path.isEmpty()) model = readBodyModel(toPath(path));
         } catch (const std::exception& error) {

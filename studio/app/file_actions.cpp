@@ -1,6 +1,5 @@
 #include "studio/app/file_actions.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -18,6 +17,7 @@
 #include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
 #include "studio/app/project_guard.h"
+#include "studio/app/questions.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/recovery.h"
 #include "studio/app/session.h"
@@ -102,9 +102,9 @@ void FileActions::openProjectFile(const QString& path) {
         QAbstractButton* copy = box.addButton(tr("Open a copy"), QMessageBox::AcceptRole);
         QAbstractButton* take = box.addButton(tr("Take over"), QMessageBox::DestructiveRole);
         box.setDefaultButton(static_cast<QPushButton*>(copy));
-        box.exec();
-        asCopy = box.clickedButton() == copy;
-        if (box.clickedButton() == take) {
+        const QAbstractButton* answer = answerOf(box, copy);
+        asCopy = answer == copy;
+        if (answer == take) {
             lock->takeOver();
         } else if (!asCopy) {
             return;
@@ -193,8 +193,8 @@ void FileActions::addBout(const TakeRequest& request, const Recordings& known) {
 
 void FileActions::askForRecordings() {
     const QStringList files =
-        QFileDialog::getOpenFileNames(window_, tr("Open one or two recordings"), startFolder(),
-                                      tr("Recordings (*.bvh *.BVH *.amc *.AMC);;All files (*)"));
+        filesToOpen(window_, tr("Open one or two recordings"), startFolder(),
+                    tr("Recordings (*.bvh *.BVH *.amc *.AMC);;All files (*)"));
     if (files.isEmpty()) return;
     QSettings().setValue(QStringLiteral("folder"), QFileInfo(files.front()).absolutePath());
     if (files.size() > 2 || std::any_of(files.begin(), files.end(), isProjectFile)) {
@@ -221,8 +221,8 @@ void FileActions::showImportDialog(const QStringList& files) {
 
 void FileActions::askForProject() {
     if (!mayLeave()) return;
-    const QString path = QFileDialog::getOpenFileName(window_, tr("Open a project"), startFolder(),
-                                                      tr("Kumite projects (*.kumite)"));
+    const QString path =
+        fileToOpen(window_, tr("Open a project"), startFolder(), tr("Kumite projects (*.kumite)"));
     if (path.isEmpty()) return;
     QSettings().setValue(QStringLiteral("folder"), QFileInfo(path).absolutePath());
     openProjectFile(path);
@@ -234,7 +234,7 @@ void FileActions::askForMissingRecording() {
     for (int player = 0; player < session_.playerCount(); ++player) {
         const Fighter& fighter = take.fighters[static_cast<std::size_t>(player)];
         if (fighter.motion) continue;
-        const QString path = QFileDialog::getOpenFileName(
+        const QString path = fileToOpen(
             window_,
             tr("Where is %1 of %2?")
                 .arg(QFileInfo(fromPath(fighter.recording.path)).fileName(), fighterText(player)),

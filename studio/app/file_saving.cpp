@@ -1,7 +1,6 @@
 // Saving, exporting, versions and leaving: the writing half of FileActions.
 
 #include <QEventLoop>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -13,6 +12,7 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/project_guard.h"
+#include "studio/app/questions.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/session.h"
 #include "studio/app/versions_dialog.h"
@@ -38,8 +38,8 @@ bool FileActions::saveAs() {
     if (suggestion.isEmpty()) {
         suggestion = startFolder() + QLatin1Char('/') + document.name() + QStringLiteral(".kumite");
     }
-    QString path = QFileDialog::getSaveFileName(window_, tr("Save the project"), suggestion,
-                                                tr("Kumite projects (*.kumite)"));
+    QString path =
+        fileToSave(window_, tr("Save the project"), suggestion, tr("Kumite projects (*.kumite)"));
     if (path.isEmpty()) return false;
     if (!isProjectFile(path)) path += QStringLiteral(".kumite");
     return saveTo(path);
@@ -115,12 +115,12 @@ bool FileActions::mayTakeOver(ProjectLock& lock, const QString& path) {
     auto* take = box.addButton(tr("Save all the same"), QMessageBox::DestructiveRole);
     auto* as = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
     box.setDefaultButton(as);
-    box.exec();
-    if (box.clickedButton() == take) {
+    const QAbstractButton* answer = answerOf(box, box.button(QMessageBox::Cancel));
+    if (answer == take) {
         lock.takeOver();
         return true;
     }
-    if (box.clickedButton() == as) saveAs();
+    if (answer == as) saveAs();
     return false;
 }
 
@@ -135,9 +135,9 @@ bool FileActions::mayReplace(const QString& path) {
     auto* over = box.addButton(tr("Save over it"), QMessageBox::DestructiveRole);
     auto* as = box.addButton(tr("Save as…"), QMessageBox::AcceptRole);
     box.setDefaultButton(as);
-    box.exec();
-    if (box.clickedButton() == as) saveAs();
-    return box.clickedButton() == over;
+    const QAbstractButton* answer = answerOf(box, box.button(QMessageBox::Cancel));
+    if (answer == as) saveAs();
+    return answer == over;
 }
 
 void FileActions::askForExport() {
@@ -145,10 +145,9 @@ void FileActions::askForExport() {
         session_.document().project().takes[static_cast<std::size_t>(session_.take())];
     const QString suggestion = startFolder() + QLatin1Char('/') +
                                QString::fromStdString(take.name) + QStringLiteral(".csv");
-    const QString path =
-        QFileDialog::getSaveFileName(window_, tr("Export the actions of this take"), suggestion,
-                                     tr("Table of actions (*.csv);;Segmentation (*.json);;Motion, "
-                                        "one file per fighter (*.bvh)"));
+    const QString path = fileToSave(window_, tr("Export the actions of this take"), suggestion,
+                                    tr("Table of actions (*.csv);;Segmentation (*.json);;Motion, "
+                                       "one file per fighter (*.bvh)"));
     if (!path.isEmpty()) exportTo(path);
 }
 
@@ -225,9 +224,9 @@ bool FileActions::mayLeave() {
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, window_);
     box.setInformativeText(tr("What is not saved is lost."));
     box.setDefaultButton(QMessageBox::Save);
-    const int answer = box.exec();
-    if (answer == QMessageBox::Save) return save();
-    return answer == QMessageBox::Discard;
+    const QAbstractButton* answer = answerOf(box, box.button(QMessageBox::Discard));
+    if (answer == box.button(QMessageBox::Save)) return save();
+    return answer == box.button(QMessageBox::Discard);
 }
 
 }  // namespace kumite::studio

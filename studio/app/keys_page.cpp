@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QLabel>
@@ -19,6 +18,7 @@
 #include <algorithm>
 
 #include "studio/app/commands.h"
+#include "studio/app/questions.h"
 
 namespace kumite::studio {
 
@@ -242,8 +242,8 @@ bool KeysPage::saveTo(const QString& pdf) const {
 }
 
 void KeysPage::askForFile() {
-    const QString path = QFileDialog::getSaveFileName(
-        this, tr("Save the sheet of keys"), QStringLiteral("kumite-keys.pdf"), tr("PDF (*.pdf)"));
+    const QString path = fileToSave(this, tr("Save the sheet of keys"),
+                                    QStringLiteral("kumite-keys.pdf"), tr("PDF (*.pdf)"));
     if (path.isEmpty()) return;
     problem_->setVisible(!saveTo(path));
     problem_->setText(tr("%1 cannot be written there.").arg(path));

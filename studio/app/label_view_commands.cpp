@@ -77,6 +77,13 @@ void MainWindow::addLabelViewCommands(LabelViews& views) {
         "label.compare.all", tr("Take theirs for all that are &open"), {},
         [&views] { views.comparison().takeAllTheirs(); }, false, comparing);
     add(
+        "label.compare.add", tr("&Add what only they labelled"), {},
+        [&views] { views.comparison().addOnlyTheirs(); }, false,
+        [&views] {
+            const auto& agreement = views.comparison().agreement();
+            return agreement && !agreement->additions.empty();
+        });
+    add(
         "label.compare.next", tr("Next &difference"), {QKeySequence("F10")},
         [&views] { views.comparison().step(1); }, false, comparing);
     add(

@@ -17,6 +17,7 @@
 #include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
 #include "studio/app/picture.h"
+#include "studio/app/questions.h"
 #include "studio/app/recovery.h"
 #include "studio/app/recovery_dialog.h"
 #include "studio/app/script.h"
@@ -36,10 +37,13 @@ struct Wishes {
     std::optional<double> time;
     std::optional<double> rate;
     bool watch = false;
+
+    /// It runs by itself: nobody answers questions.
+    bool alone() const { return !picture.isEmpty() || !script.isEmpty() || watch; }
 };
 
 [[noreturn]] void refuse(const QString& sentence) {
-    std::fprintf(stderr, "kumite-studio: %s\n", qPrintable(sentence));
+    tell(sentence);
     std::exit(2);
 }
 
@@ -67,7 +71,7 @@ Wishes readCommandLine(const QApplication& application) {
           "COMMAND"},
          {"watch",
           "Tell on standard error when the window does not answer for more than 50 ms, and the "
-          "longest such time at the end."},
+          "longest such time at the end. What opening and script would ask is told there, too."},
          {"script", "Run the commands of a file, one a line; see studio/app/script.h.", "FILE"}});
     parser.process(application);
     Wishes wishes;
@@ -126,6 +130,13 @@ void reportWatch(const LoopWatch& watch) {
 void offerRecovery(MainWindow& window, Recovery& recovery) {
     auto copies = Recovery::leftBehind();
     if (copies.empty()) return;
+    if (!isAttended()) {
+        tell(
+            QStringLiteral("Unsaved edits of %1 can be recovered: start the studio without --watch "
+                           "and --script.")
+                .arg(copies.front().name));
+        return;
+    }
     // The old copy goes only once this run has one of its own, which the opening makes.
     QObject::connect(&window.files(), &FileActions::recovered, &recovery,
                      [&recovery](const RecoveryCopy& copy) {
@@ -168,6 +179,7 @@ int main(int argc, char** argv) {
     const auto whenLeft = qScopeGuard([&watch] {
         if (watch) reportWatch(*watch);
     });
+    setAttended(!wishes.alone());
     openFiles(window, wishes);
     if (picture) {
         if (!runScript(window, wishes.script, watch.get())) return 1;
@@ -187,5 +199,6 @@ int main(int argc, char** argv) {
     offerRecovery(window, recovery);
     if (!runScript(window, wishes.script, watch.get())) return 1;
     if (!window.isVisible()) return 0;  // a command has quit already
+    setAttended(true);                  // whoever watches works on by hand
     return QApplication::exec();
 }

@@ -1,7 +1,5 @@
 #include "studio/app/main_window.h"
 
-#include <QAbstractButton>
-#include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
@@ -21,6 +19,7 @@
 #include "studio/app/command_palette.h"
 #include "studio/app/command_words.h"
 #include "studio/app/commands.h"
+#include "studio/app/control_keys.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/focus_frame.h"
@@ -114,10 +113,11 @@ MainWindow::~MainWindow() {
 
 void MainWindow::layOut() {
     pages_ = new QStackedWidget(this);
-    rows_ = new QSplitter(Qt::Vertical, pages_);
-    columns_ = new QSplitter(Qt::Horizontal, rows_);
-    documentPanel_ = new DocumentPanel(session_, columns_);
-    content_ = new QSplitter(Qt::Horizontal, columns_);
+    columns_ = new QSplitter(Qt::Horizontal, pages_);
+    rows_ = new QSplitter(Qt::Vertical, columns_);
+    upper_ = new QSplitter(Qt::Horizontal, rows_);
+    documentPanel_ = new DocumentPanel(session_, upper_);
+    content_ = new QSplitter(Qt::Horizontal, upper_);
     stage_ = new StageView(session_, content_);
     centres_ = new QStackedWidget(content_);
     content_->addWidget(stage_);
@@ -126,9 +126,8 @@ void MainWindow::layOut() {
     content_->setStretchFactor(1, 3);
     rightPanel_ = new QStackedWidget(columns_);
     workspaces_ = new Workspaces(*commands_, rightPanel_, centres_, this);
-    columns_->addWidget(documentPanel_);
-    columns_->addWidget(content_);
-    columns_->addWidget(rightPanel_);
+    upper_->addWidget(documentPanel_);
+    upper_->addWidget(content_);
     timelineBox_ = new QWidget(rows_);
     auto* box = new QVBoxLayout(timelineBox_);
     box->setContentsMargins(0, 0, 0, 0);
@@ -137,18 +136,21 @@ void MainWindow::layOut() {
     box->addWidget(timeline_, 1);
     new FocusFrame(stage_);
     new FocusFrame(timeline_);
-    rows_->addWidget(columns_);
+    rows_->addWidget(upper_);
     rows_->addWidget(timelineBox_);
-    for (QSplitter* splitter : {rows_, columns_, content_}) {
+    columns_->addWidget(rows_);
+    columns_->addWidget(rightPanel_);
+    for (QSplitter* splitter : {columns_, rows_, upper_, content_}) {
         splitter->setHandleWidth(1);
         splitter->setChildrenCollapsible(false);
     }
     rows_->setStretchFactor(0, 1);
     rows_->setStretchFactor(1, 0);
-    columns_->setStretchFactor(0, 0);
-    columns_->setStretchFactor(1, 1);
-    columns_->setStretchFactor(2, 0);
-    pages_->addWidget(rows_);
+    upper_->setStretchFactor(0, 0);
+    upper_->setStretchFactor(1, 1);
+    columns_->setStretchFactor(0, 1);
+    columns_->setStretchFactor(1, 0);
+    pages_->addWidget(columns_);
     setCentralWidget(pages_);
     strip_ = new MessageStrip(pages_);
     palette_ = new CommandPalette(*commands_, pages_);
@@ -178,7 +180,7 @@ void MainWindow::listen() {
     connect(&document, &Document::opened, this, [this] {
         findings_.clear();
         applyPlaybackPreferences();
-        pages_->setCurrentWidget(rows_);
+        pages_->setCurrentWidget(columns_);
         timeline_->setFocus();
         showKeysHint();
         // The view has its size only after it was laid out.
@@ -229,9 +231,10 @@ void MainWindow::shareSpace() {
     // The timeline, and what takes its place in the Bout workspace.
     rows_->setSizes({height - timeline - 1, timeline, timeline});
     const int left = width() < 1600 ? 136 : 176;
-    const int right = width() < 1600 ? 232 : 264;
+    const int right = width() < 1600 ? 244 : 272;
     const int middle = width() - left - right - 2;
-    columns_->setSizes({left, middle, right});
+    columns_->setSizes({left + middle + 1, right});
+    upper_->setSizes({left, middle});
     content_->setSizes({2 * middle / 5, middle - 2 * middle / 5});
 }
 
@@ -257,7 +260,7 @@ void MainWindow::refreshIcons() {
 }
 
 void MainWindow::showKeysHint() {
-    status_->setKeys(session_.document().isOpen() ? keysHint() : QString());
+    status_->setKeys(session_.document().isOpen() ? keysHint() : QStringList());
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -287,17 +290,10 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-    // A button that has the focus is pressed by Space; elsewhere Space plays.
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
-        if (key->key() == Qt::Key_Space && qobject_cast<QAbstractButton*>(watched) != nullptr) {
-            event->accept();
-            return true;
-        }
-        // Up and Down lead through a list that has the focus; elsewhere they may be commands.
-        const bool upOrDown = key->key() == Qt::Key_Up || key->key() == Qt::Key_Down;
-        if (upOrDown && (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == 0 &&
-            qobject_cast<QAbstractItemView*>(watched) != nullptr) {
+        if (const auto* widget = qobject_cast<QWidget*>(watched);
+            widget != nullptr && worksControl(*widget, *key)) {
             event->accept();
             return true;
         }

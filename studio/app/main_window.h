@@ -40,9 +40,9 @@ class TransportBar;
 class WelcomePage;
 class Workspaces;
 
-/// The studio's window: 3D view over the timeline, panels on both sides, a line that says what is
-/// under the pointer. main_window.cpp puts the parts together; what the commands do stands in
-/// main_window_*.cpp.
+/// The studio's window: 3D view over the timeline, takes and fighters left of the view, right of
+/// both the workspace's panel, below a line that says what is under the pointer. main_window.cpp
+/// puts the parts together; what the commands do stands in main_window_*.cpp.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -122,7 +122,7 @@ private:
     void refreshTitle();
     void refreshIcons();
     void showKeysHint();
-    QString keysHint() const;
+    QStringList keysHint() const;
     bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();
     void changeSpeed(int direction);
@@ -131,6 +131,13 @@ private:
     void fillRecentMenu();
     bool hasTake() const { return session_.playerCount() > 0; }
 
+    /// As splitters tell it.
+    struct PanelWidths {
+        QByteArray left, right;
+    };
+    PanelWidths panelWidths() const;
+    bool setPanelWidths(const PanelWidths& widths);
+
     Session session_;
     Preferences preferences_;
     FindingsLog findings_;
@@ -138,8 +145,9 @@ private:
     CommandTable* commands_ = nullptr;
     QStackedWidget* pages_ = nullptr;
     WelcomePage* welcome_ = nullptr;
-    QSplitter* rows_ = nullptr;
-    QSplitter* columns_ = nullptr;
+    QSplitter* columns_ = nullptr;  ///< all the rest, and the workspace's panel as high as that
+    QSplitter* rows_ = nullptr;     ///< what is above the timeline, and the timeline
+    QSplitter* upper_ = nullptr;    ///< takes and fighters, and the content
     QSplitter* content_ = nullptr;  ///< the 3D view and what a workspace shows beside it
     DocumentPanel* documentPanel_ = nullptr;
     QStackedWidget* rightPanel_ = nullptr;
@@ -167,7 +175,7 @@ private:
     QPointer<QDialog> findingsPage_;
     ThemeChoice shownTheme_;
     bool panelsShown_ = true;
-    QByteArray columnsState_;   ///< how wide the panels are while they are hidden
+    PanelWidths widths_;        ///< how wide the panels are while they are hidden
     bool spaceShared_ = false;  ///< the user has laid out the window
 };
 

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QMenu>
-#include <QMessageBox>
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,7 @@
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/main_window.h"
+#include "studio/app/questions.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/view_commands.h"
 #include "studio/timeline/timeline_view.h"
@@ -292,11 +292,10 @@ void MainWindow::addViewCommands() {
     commands_->add(
         {"help.keys", help, tr("&Keys and mouse"), {QKeySequence("F1")}, [this] { showKeys(); }});
     commands_->add({"help.about", help, tr("&About Kumite"), {}, [this] {
-                        QMessageBox::about(
-                            this, tr("About Kumite"),
-                            tr("Kumite %1\n\nA studio for annotating two-player martial-arts "
-                               "motion capture.")
-                                .arg(QApplication::applicationVersion()));
+                        notify(this, tr("About Kumite"),
+                               tr("Kumite %1\n\nA studio for annotating two-player martial-arts "
+                                  "motion capture.")
+                                   .arg(QApplication::applicationVersion()));
                     }});
 }
 

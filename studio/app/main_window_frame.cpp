@@ -170,12 +170,20 @@ void MainWindow::layOutTopBar() {
 void MainWindow::setPanelsShown(bool shown) {
     if (shown == panelsShown_) return;
     // A splitter forgets the width of what it does not show.
-    if (!shown && isVisible()) columnsState_ = columns_->saveState();
+    if (!shown && isVisible()) widths_ = panelWidths();
     panelsShown_ = shown;
     documentPanel_->setVisible(shown);
     rightPanel_->setVisible(shown);
-    if (shown && !columnsState_.isEmpty()) columns_->restoreState(columnsState_);
+    if (shown && !widths_.left.isEmpty()) setPanelWidths(widths_);
     commands_->refresh();
+}
+
+MainWindow::PanelWidths MainWindow::panelWidths() const {
+    return {upper_->saveState(), columns_->saveState()};
+}
+
+bool MainWindow::setPanelWidths(const PanelWidths& widths) {
+    return upper_->restoreState(widths.left) && columns_->restoreState(widths.right);
 }
 
 void MainWindow::restoreLayout() {
@@ -183,11 +191,13 @@ void MainWindow::restoreLayout() {
     if (!restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray())) {
         resize(1280, 800);
     }
-    columnsState_ = settings.value(QStringLiteral("columns")).toByteArray();
-    spaceShared_ = rows_->restoreState(settings.value(QStringLiteral("rows")).toByteArray()) &&
-                   columns_->restoreState(columnsState_);
-    content_->restoreState(settings.value(QStringLiteral("content")).toByteArray());
-    for (QSplitter* splitter : {rows_, columns_, content_}) {
+    const auto state = [&settings](const char* part) {
+        return settings.value(QStringLiteral("layout/") + QLatin1String(part)).toByteArray();
+    };
+    widths_ = {state("left"), state("right")};
+    spaceShared_ = rows_->restoreState(state("rows")) && setPanelWidths(widths_);
+    content_->restoreState(state("content"));
+    for (QSplitter* splitter : {columns_, rows_, upper_, content_}) {
         connect(splitter, &QSplitter::splitterMoved, this, [this] { spaceShared_ = true; });
     }
     workspaces_->show(settings.value(QStringLiteral("workspace")).toString());
@@ -198,10 +208,11 @@ void MainWindow::saveLayout() const {
     QSettings settings;
     settings.setValue(QStringLiteral("geometry"), saveGeometry());
     if (spaceShared_) {
-        settings.setValue(QStringLiteral("rows"), rows_->saveState());
-        settings.setValue(QStringLiteral("content"), content_->saveState());
-        settings.setValue(QStringLiteral("columns"),
-                          panelsShown_ ? columns_->saveState() : columnsState_);
+        const PanelWidths widths = panelsShown_ ? panelWidths() : widths_;
+        settings.setValue(QStringLiteral("layout/rows"), rows_->saveState());
+        settings.setValue(QStringLiteral("layout/content"), content_->saveState());
+        settings.setValue(QStringLiteral("layout/left"), widths.left);
+        settings.setValue(QStringLiteral("layout/right"), widths.right);
     }
     settings.setValue(QStringLiteral("workspace"), workspaces_->current());
     settings.setValue(QStringLiteral("panels"), panelsShown_);
@@ -232,7 +243,7 @@ void MainWindow::followSystemTheme() {
     if (preferences_.values().theme == ThemeChoice::System) applyTheme(ThemeChoice::System);
 }
 
-QString MainWindow::keysHint() const {
+QStringList MainWindow::keysHint() const {
     struct Entry {
         QStringList commands;
         QString text;
@@ -289,7 +300,7 @@ QString MainWindow::keysHint() const {
         if (!keys.isEmpty())
             parts.append(keys.join(QLatin1Char(' ')) + QLatin1Char(' ') + entry.text);
     }
-    return parts.join(QStringLiteral("   "));
+    return parts;
 }
 
 void MainWindow::showFindingsCount() {

@@ -9,6 +9,8 @@
 #include "studio/app/loop_watch.h"
 #include "studio/app/main_window.h"
 #include "studio/app/picture.h"
+#include "studio/app/questions.h"
+#include "studio/workspaces/label/label_exchange.h"
 
 namespace kumite::studio {
 
@@ -27,6 +29,8 @@ bool runLine(MainWindow& window, const QStringList& words) {
         waitWhileBusy(window);
     } else if (verb == QLatin1String("import")) {
         window.files().showImportDialog(words.mid(1));
+    } else if (verb == QLatin1String("compare")) {
+        window.findChild<LabelExchange*>()->compareWith(words.value(1));
     } else if (verb == QLatin1String("save")) {
         return window.files().saveTo(words.value(1));
     } else if (window.commands().find(verb) != nullptr) {
@@ -45,7 +49,7 @@ bool runScript(MainWindow& window, const QStringList& lines, LoopWatch* watch) {
         if (watch != nullptr) watch->note(line);
         const QStringList words = line.split(QLatin1Char(' '), Qt::SkipEmptyParts);
         if (words.isEmpty() || !runLine(window, words)) {
-            std::fprintf(stderr, "kumite-studio: cannot run \"%s\".\n", qPrintable(line));
+            tell(QStringLiteral("cannot run \"%1\".").arg(line));
             return false;
         }
         std::printf("%s\n", qPrintable(line));

@@ -17,6 +17,7 @@ class MainWindow;
 ///   wait MS         lets the window work
 ///   idle            lets it work until nothing is read or computed
 ///   import FILE…    opens the import dialog on recordings
+///   compare FILE    holds another person's labels against the project's
 ///   save FILE       saves under a name
 /// After each the line is written to standard output, so that whoever drives the studio knows how
 /// far it is, and noted with the watch. False, with a sentence on standard error, at the first line

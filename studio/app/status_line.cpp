@@ -1,5 +1,7 @@
 #include "studio/app/status_line.h"
 
+#include <QEvent>
+
 namespace kumite::studio {
 
 StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
@@ -11,8 +13,8 @@ StatusLine::StatusLine(QWidget* parent) : QLabel(parent) {
     connect(&fading_, &QTimer::timeout, this, [this] { say({}); });
 }
 
-void StatusLine::setKeys(const QString& text) {
-    keys_ = text;
+void StatusLine::setKeys(const QStringList& parts) {
+    keys_ = parts;
     refresh();
 }
 
@@ -31,9 +33,30 @@ void StatusLine::say(const QString& sentence) {
     refresh();
 }
 
+void StatusLine::resizeEvent(QResizeEvent* event) {
+    QLabel::resizeEvent(event);
+    refresh();
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+    QLabel::changeEvent(event);
+    if (event->type() == QEvent::FontChange) refresh();
+}
+
 void StatusLine::refresh() {
-    const QString& shown = !said_.isEmpty() ? said_ : !pointer_.isEmpty() ? pointer_ : keys_;
-    if (shown != text()) setText(shown);
+    QString shown = !said_.isEmpty() ? said_ : !pointer_.isEmpty() ? pointer_ : fittingKeys();
+    // The whole sentence is the tip where it does not fit.
+    const QString fitting = fontMetrics().elidedText(shown, Qt::ElideRight, contentsRect().width());
+    setToolTip(fitting == shown ? QString() : shown);
+    if (fitting != text()) setText(fitting);
+}
+
+QString StatusLine::fittingKeys() const {
+    QStringList parts = keys_;
+    const auto whole = [&parts] { return parts.join(QStringLiteral("   ")); };
+    while (parts.size() > 1 && fontMetrics().horizontalAdvance(whole()) > contentsRect().width())
+        parts.removeAt(parts.size() - 2);
+    return whole();
 }
 
 }  // namespace kumite::studio

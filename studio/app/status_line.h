@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QStringList>
 #include <QTimer>
 
 namespace kumite::studio {
@@ -13,18 +14,25 @@ class StatusLine : public QLabel {
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
-    /// What the keys do now.
-    void setKeys(const QString& text);
+    /// What the keys do now, the most useful first; where there is no room for all the later ones
+    /// are left out, but never the last.
+    void setKeys(const QStringList& parts);
     /// What the pointer is on; empty: nothing.
     void setPointer(const QString& text);
     /// What was done, or why something was not: until the next thing is done, or some seconds long.
     /// Empty: what was said does not hold any more.
     void say(const QString& sentence);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
 private:
     void refresh();
+    QString fittingKeys() const;
 
-    QString keys_, pointer_, said_;
+    QStringList keys_;
+    QString pointer_, said_;
     QTimer fading_;
 };
 

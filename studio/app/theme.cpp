@@ -133,6 +133,15 @@ QFrame[role="separator"] { background: @line; border: none; }
     return sheet;
 }
 
+bool giveStyleAndFont() {
+    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    QFont font = QApplication::font();
+    if (font.pointSizeF() > 10.0) font.setPointSizeF(10.0);
+    if (font.pointSizeF() > 0 && font.pointSizeF() < 9.0) font.setPointSizeF(9.0);
+    QApplication::setFont(font);
+    return true;
+}
+
 }  // namespace
 
 const Colours& colours(bool dark) {
@@ -171,11 +180,9 @@ void applyTheme(ThemeChoice choice) {
     const bool systemIsDark = desktopDark().value_or(platformIsDark);
     const bool dark =
         choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemIsDark);
-    QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-    QFont font = QApplication::font();
-    if (font.pointSizeF() > 10.0) font.setPointSizeF(10.0);
-    if (font.pointSizeF() > 0 && font.pointSizeF() < 9.0) font.setPointSizeF(9.0);
-    QApplication::setFont(font);
+    // Style and font are the same in every theme; each would be given to every widget anew.
+    static const bool styled = giveStyleAndFont();
+    Q_UNUSED(styled);
     QApplication::setPalette(paletteOf(colours(dark)));
     qApp->setStyleSheet(styleSheetOf(colours(dark)));
 }

@@ -3,12 +3,11 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QFileDialog>
 #include <QFileInfo>
-#include <QMessageBox>
 #include <QSettings>
 
 #include "studio/app/commands.h"
+#include "studio/app/questions.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 #include "studio/view3d/stage_tools.h"
@@ -27,7 +26,7 @@ void savePicture(StageView& stage, const Session& session) {
     QSettings settings;
     const QString key = QStringLiteral("pictureFolder");
     const QString name = QFileInfo(session.document().name()).completeBaseName();
-    QString path = QFileDialog::getSaveFileName(
+    QString path = fileToSave(
         stage.window(), text("Save a picture of the 3D view"),
         settings.value(key).toString() + QLatin1Char('/') + name + QStringLiteral(".png"),
         text("Pictures (*.png)"));
@@ -35,8 +34,8 @@ void savePicture(StageView& stage, const Session& session) {
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
     settings.setValue(key, QFileInfo(path).absolutePath());
     if (stage.picture().save(path, "PNG")) return;
-    QMessageBox::warning(stage.window(), text("Picture of the 3D view"),
-                         text("%1: the picture cannot be written there.").arg(path));
+    notify(stage.window(), text("Picture of the 3D view"),
+           text("%1: the picture cannot be written there.").arg(path));
 }
 
 void stepTrail(StageView& stage, int frames) {

@@ -72,7 +72,8 @@ WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
     layout->addWidget(label(QStringLiteral("Kumite"), "title", column));
     layout->addWidget(label(tr("Cut a recorded bout into actions: both fighters in 3D over the "
                                "force that they exert against the ground. Its minima are the "
-                               "boundaries; you correct the few that are wrong."),
+                               "boundaries; you correct the few that are wrong. Then say what a "
+                               "few actions are, and the machine says it of the rest."),
                             "", column));
     layout->addSpacing(14);
     layout->addWidget(picture);

@@ -7,58 +7,82 @@ namespace kumite::studio {
 
 namespace {
 
-CurveExtent joined(const CurveExtent& a, const CurveExtent& b) {
-    return {std::min(a.low, b.low), std::max(a.high, b.high)};
+constexpr std::size_t kBlock = 16;
+
+void join(CurveExtent& extent, float sample) {
+    extent.low = std::min(extent.low, sample);
+    extent.high = std::max(extent.high, sample);
 }
 
-template <typename Number>
-std::vector<CurveExtent> extentsOf(std::span<const Number> samples) {
-    std::vector<CurveExtent> extents;
-    extents.reserve(samples.size());
-    for (const Number sample : samples) {
-        const auto value = static_cast<float>(sample);
-        extents.push_back({value, value});
+void join(CurveExtent& extent, const CurveExtent& other) {
+    extent.low = std::min(extent.low, other.low);
+    extent.high = std::max(extent.high, other.high);
+}
+
+CurveExtent extentOf(float sample) {
+    return {sample, sample};
+}
+
+CurveExtent extentOf(const CurveExtent& extent) {
+    return extent;
+}
+
+/// The extents of every sixteen of them.
+template <typename Element>
+std::vector<CurveExtent> blocksOf(const std::vector<Element>& elements) {
+    std::vector<CurveExtent> blocks;
+    blocks.reserve((elements.size() + kBlock - 1) / kBlock);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (i % kBlock == 0)
+            blocks.push_back(extentOf(elements[i]));
+        else
+            join(blocks.back(), elements[i]);
     }
-    return extents;
+    return blocks;
+}
+
+/// Joins what of [begin, end) fills no whole block, and narrows the range to the blocks.
+template <typename Element>
+void joinEnds(CurveExtent& extent, const std::vector<Element>& elements, std::size_t& begin,
+              std::size_t& end) {
+    const std::size_t first = (begin + kBlock - 1) / kBlock;
+    const std::size_t last = end / kBlock;
+    const bool blocks = first < last;
+    for (std::size_t i = begin; i < (blocks ? first * kBlock : end); ++i)
+        join(extent, elements[i]);
+    for (std::size_t i = blocks ? last * kBlock : end; i < end; ++i)
+        join(extent, elements[i]);
+    begin = blocks ? first : 0;
+    end = blocks ? last : 0;
 }
 
 }  // namespace
 
 CurvePyramid::CurvePyramid(std::span<const double> samples) {
-    if (samples.empty()) return;
-    levels_.push_back(extentsOf(samples));
+    samples_.reserve(samples.size());
+    for (const double sample : samples)
+        samples_.push_back(static_cast<float>(sample));
     addLevels();
 }
 
-CurvePyramid::CurvePyramid(std::span<const float> samples) {
-    if (samples.empty()) return;
-    levels_.push_back(extentsOf(samples));
+CurvePyramid::CurvePyramid(std::span<const float> samples)
+    : samples_(samples.begin(), samples.end()) {
     addLevels();
 }
 
 void CurvePyramid::addLevels() {
-    while (levels_.back().size() > 1) {
-        const std::vector<CurveExtent>& below = levels_.back();
-        std::vector<CurveExtent> level;
-        level.reserve((below.size() + 1) / 2);
-        for (std::size_t i = 0; i + 1 < below.size(); i += 2)
-            level.push_back(joined(below[i], below[i + 1]));
-        if (below.size() % 2 == 1) level.push_back(below.back());
-        levels_.push_back(std::move(level));
-    }
+    if (samples_.empty()) return;
+    levels_.push_back(blocksOf(samples_));
+    while (levels_.back().size() > 1)
+        levels_.push_back(blocksOf(levels_.back()));
 }
 
 CurveExtent CurvePyramid::extent(std::size_t begin, std::size_t end) const {
     assert(begin < end && end <= size());
-    CurveExtent result = levels_.front()[begin];
-    // Single blocks at both ends, then one level up, until nothing is left between.
-    for (std::size_t level = 0; begin < end; ++level) {
-        const auto& blocks = levels_[level];
-        if (begin % 2 == 1) result = joined(result, blocks[begin++]);
-        if (begin < end && end % 2 == 1) result = joined(result, blocks[--end]);
-        begin /= 2;
-        end /= 2;
-    }
+    CurveExtent result = extentOf(samples_[begin]);
+    joinEnds(result, samples_, begin, end);
+    for (std::size_t level = 0; begin < end; ++level)
+        joinEnds(result, levels_[level], begin, end);
     return result;
 }
 

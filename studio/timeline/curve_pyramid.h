@@ -12,17 +12,18 @@ struct CurveExtent {
     float high = 0;
 };
 
-/// A curve with its minima and maxima over blocks of 2, 4, 8 … samples, so that the extent of any
-/// stretch is found in logarithmic time: no peak is lost at any zoom, and drawing does not depend
-/// on the curve's length.
+/// A curve with its minima and maxima over blocks of 16, 256, 4096 … samples, so that the extent of
+/// any stretch is found in logarithmic time: no peak is lost at any zoom, and drawing does not
+/// depend on the curve's length. Blocks as wide as a line of the memory: what an hour's curve costs
+/// to draw is how many lines are fetched.
 class CurvePyramid {
 public:
     CurvePyramid() = default;
     explicit CurvePyramid(std::span<const double> samples);
     explicit CurvePyramid(std::span<const float> samples);
 
-    std::size_t size() const { return levels_.empty() ? 0 : levels_.front().size(); }
-    float at(std::size_t sample) const { return levels_.front()[sample].low; }
+    std::size_t size() const { return samples_.size(); }
+    float at(std::size_t sample) const { return samples_[sample]; }
     /// Over the samples [begin, end), which must not be empty.
     CurveExtent extent(std::size_t begin, std::size_t end) const;
     /// Over all samples; {0, 0} without any.
@@ -31,6 +32,9 @@ public:
 private:
     void addLevels();
 
+    std::vector<float> samples_;
+    /// Each over sixteen blocks of the one before, the last one maybe fewer; the last level has
+    /// one.
     std::vector<std::vector<CurveExtent>> levels_;
 };
 

@@ -1,9 +1,13 @@
 #include "studio/timeline/lane_painter.h"
 
+#include <QImage>
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <vector>
 
 #include "studio/timeline/level_of_detail.h"
 #include "studio/timeline/track_painter.h"
@@ -15,6 +19,7 @@ namespace {
 constexpr double kUsualLane = 14;
 constexpr double kLowestLane = 8;
 constexpr double kStrip = 14;
+constexpr int kNarrow = 3;         ///< pixels up to which a block has neither hatching nor outline
 constexpr double kTextWidth = 26;  ///< of a block that has its qualifier written in it
 
 double relativeLuminance(const QColor& colour) {
@@ -47,11 +52,18 @@ int weightOf(const LaneCell& cell) {
 /// Paints the lanes of one row.
 class LanePainter {
 public:
-    LanePainter(QPainter& painter, const LaneSource& lanes, const Colours& colours)
-        : painter_(painter), lanes_(lanes), colours_(colours) {}
+    LanePainter(QPainter& painter, const LaneSource& lanes, const Colours& colours,
+                const QRect& area)
+        : painter_(painter), lanes_(lanes), colours_(colours), area_(area) {}
+
+    /// Puts down what `paintCell` gathered.
+    void finish() {
+        if (!narrow_.isNull()) painter_.drawImage(area_.topLeft(), narrow_);
+    }
 
     void paintCell(const QRect& block, int lane, const LaneCell& cell, bool withText) {
         if (cell.look == LaneLook::Open) return;
+        if (block.width() <= kNarrow) return paintNarrow(block, lane, cell);
         if (cell.look == LaneLook::Nothing) {
             // A line along the middle: somebody looked, and there is nothing.
             const QColor line = cell.byHand ? colours_.secondText
@@ -65,41 +77,87 @@ public:
             painter_.fillRect(QRect(block.left(), y, block.width(), cell.byHand ? 2 : 1), line);
             return;
         }
-        const QColor colour = classColour(lanes_.valueColour(lane, cell.value), colours_);
-        const double share = cell.look == LaneLook::Hand       ? 1.0
-                             : cell.look == LaneLook::Accepted ? 0.62
-                             : cell.look == LaneLook::Proposed ? 0.38
-                                                               : 0.10;
-        const QColor fill = mixed(colours_.ground, colour, cell.uncertain ? 0.12 : share);
-        painter_.fillRect(block, fill);
-        if (cell.uncertain) painter_.fillRect(block, QBrush(colour, Qt::BDiagPattern));
+        const Ink& ink = inkOf(lane, cell);
+        painter_.fillRect(block, ink.fill);
+        if (cell.uncertain) painter_.fillRect(block, QBrush(ink.colour, Qt::BDiagPattern));
         const bool outlined = cell.look == LaneLook::Rule || cell.uncertain;
         if (outlined && block.width() > 3) {
-            painter_.setPen(QPen(mixed(colours_.ground, colour, 0.75), 1));
+            painter_.setPen(QPen(ink.outline, 1));
             painter_.setBrush(Qt::NoBrush);
             painter_.drawRect(block.adjusted(0, 0, -1, -1));
         }
         if (!withText || block.width() < kTextWidth) return;
-        const QColor ground = cell.uncertain ? mixed(colours_.ground, colour, 0.12) : fill;
-        const QColor dark("#16171a");
-        const QColor light("#f6f6f7");
-        painter_.setPen(contrastOf(dark, ground) > contrastOf(light, ground) ? dark : light);
-        const QString text = lanes_.valueText(lane, cell.value);
+        painter_.setPen(ink.letters);
         const int room = block.width() - 6;
         if (cell.uncertain) {
             // Letters on hatching cannot be read.
-            const int width = std::min(room, painter_.fontMetrics().horizontalAdvance(text));
+            const int width = std::min(room, painter_.fontMetrics().horizontalAdvance(ink.text));
             painter_.fillRect(
-                QRect(block.left() + 2, block.top() + 1, width + 3, block.height() - 2), ground);
+                QRect(block.left() + 2, block.top() + 1, width + 3, block.height() - 2), ink.fill);
         }
         painter_.drawText(block.adjusted(3, 0, -3, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                          painter_.fontMetrics().elidedText(text, Qt::ElideRight, room));
+                          painter_.fontMetrics().elidedText(ink.text, Qt::ElideRight, room));
     }
 
 private:
+    /// In what a kind of cell is painted. There are few kinds and thousands of cells.
+    struct Ink {
+        QColor colour, fill, outline, letters;
+        QString text;
+    };
+
+    /// Of blocks a few pixels wide there may be thousands; they go straight into a picture.
+    void paintNarrow(const QRect& block, int lane, const LaneCell& cell) {
+        if (narrow_.isNull()) {
+            narrow_ = QImage(area_.size(), QImage::Format_ARGB32_Premultiplied);
+            narrow_.fill(Qt::transparent);
+        }
+        QRect part = block;
+        QColor colour;
+        if (cell.look == LaneLook::Nothing) {
+            const double share = cell.byHand ? 1.0 : cell.uncertain ? 0.25 : 0.45;
+            colour = mixed(colours_.ground, colours_.secondText, share);
+            part.setTop(block.center().y());
+            part.setHeight(cell.byHand ? 2 : 1);
+        } else {
+            const Ink& ink = inkOf(lane, cell);
+            // As dark as hatching or an outline is.
+            colour = cell.uncertain || cell.look == LaneLook::Rule
+                         ? mixed(colours_.ground, ink.colour, 0.35)
+                         : ink.fill;
+        }
+        part = part.translated(-area_.topLeft()) & narrow_.rect();
+        for (int y = part.top(); y <= part.bottom(); ++y) {
+            auto* pixels = reinterpret_cast<QRgb*>(narrow_.scanLine(y));
+            std::fill_n(pixels + part.left(), part.width(), colour.rgb());
+        }
+    }
+
+    const Ink& inkOf(int lane, const LaneCell& cell) {
+        const auto [place, isNew] =
+            inks_.try_emplace({lane, int(cell.value), int(cell.look), int(cell.uncertain)});
+        Ink& ink = place->second;
+        if (!isNew) return ink;
+        ink.colour = classColour(lanes_.valueColour(lane, cell.value), colours_);
+        const double share = cell.look == LaneLook::Hand       ? 1.0
+                             : cell.look == LaneLook::Accepted ? 0.62
+                             : cell.look == LaneLook::Proposed ? 0.38
+                                                               : 0.10;
+        ink.fill = mixed(colours_.ground, ink.colour, cell.uncertain ? 0.12 : share);
+        ink.outline = mixed(colours_.ground, ink.colour, 0.75);
+        const QColor dark("#16171a");
+        const QColor light("#f6f6f7");
+        ink.letters = contrastOf(dark, ink.fill) > contrastOf(light, ink.fill) ? dark : light;
+        ink.text = lanes_.valueText(lane, cell.value);
+        return ink;
+    }
+
     QPainter& painter_;
     const LaneSource& lanes_;
     const Colours& colours_;
+    QRect area_;
+    QImage narrow_;
+    std::map<std::array<int, 4>, Ink> inks_;
 };
 
 /// Of several lanes the one that is shown where there is room for one; with its cell.
@@ -175,10 +233,21 @@ void paintLanes(QPainter& painter, const LaneSource& lanes, const Session& sessi
 
     painter.setClipRect(place.area);
     const SampleAxis axis = frameAxis(fighter->input, mapping);
+    // Where the visible actions begin and end is the same in every row.
+    struct Span {
+        int left, right;
+    };
+    std::vector<Span> spans;
     const auto first = std::partition_point(actions.begin(), actions.end(), [&](const Action& a) {
         return axis.xOf(a.end) < place.area.left();
     });
-    LanePainter blocks(painter, lanes, colours);
+    for (auto action = first;
+         action != actions.end() && axis.xOf(action->begin) <= place.area.right(); ++action) {
+        spans.push_back({static_cast<int>(std::lround(axis.xOf(action->begin))),
+                         static_cast<int>(std::lround(axis.xOf(action->end)))});
+    }
+    const auto begin = static_cast<std::size_t>(first - actions.begin());
+    LanePainter blocks(painter, lanes, colours, place.area.toAlignedRect());
     for (int row = 0; row < rows; ++row) {
         const auto cellOf = [&](std::size_t action) {
             const auto own = cells.subspan(action * static_cast<std::size_t>(count),
@@ -195,12 +264,11 @@ void paintLanes(QPainter& painter, const LaneSource& lanes, const Session& sessi
             if (any) blocks.paintCell(block, shown.first, shown.second, height >= 11);
             any = false;
         };
-        for (auto action = first;
-             action != actions.end() && axis.xOf(action->begin) <= place.area.right(); ++action) {
-            const int left = static_cast<int>(std::lround(axis.xOf(action->begin)));
-            int right = static_cast<int>(std::lround(axis.xOf(action->end)));
+        for (std::size_t i = 0; i < spans.size(); ++i) {
+            const auto [left, beyond] = spans[i];
+            int right = beyond;
             const bool narrow = right - left < 3;
-            const auto cell = cellOf(static_cast<std::size_t>(action - actions.begin()));
+            const auto cell = cellOf(begin + i);
             if (any && right <= block.left() + 1) {
                 if (weightOf(cell.second) > weightOf(shown.second)) shown = cell;
                 continue;
@@ -218,6 +286,7 @@ void paintLanes(QPainter& painter, const LaneSource& lanes, const Session& sessi
         }
         flush();
     }
+    blocks.finish();
     painter.setClipping(false);
     painter.setFont(font);
 }

@@ -18,13 +18,18 @@ std::vector<CurveColumn> curveColumns(const CurvePyramid& curve, const SampleAxi
         const auto share = static_cast<float>(sample - static_cast<double>(before));
         return share > 0 ? value + share * (curve.at(before + 1) - value) : value;
     };
+    // Neighbouring columns share an edge, and the value there.
+    double next = axis.sampleAt(left);
+    float edge = valueAt(std::clamp(next, 0.0, last));
     for (double x = left; x < right; x += 1) {
-        const double from = std::max(axis.sampleAt(x), 0.0);
-        const double to = std::min(axis.sampleAt(x + 1), last);
-        if (from > to || axis.sampleAt(x + 1) <= 0) continue;
-        const float begin = valueAt(from);
-        const float end = valueAt(to);
-        CurveColumn column{x, std::min(begin, end), std::max(begin, end)};
+        const double from = std::max(next, 0.0);
+        next = axis.sampleAt(x + 1);
+        if (from > last) break;
+        if (next <= 0) continue;
+        const double to = std::min(next, last);
+        const float begin = edge;
+        edge = valueAt(to);
+        CurveColumn column{x, std::min(begin, edge), std::max(begin, edge)};
         const auto first = static_cast<std::size_t>(std::ceil(from));
         const auto beyond = static_cast<std::size_t>(to) + 1;
         if (first < beyond) {

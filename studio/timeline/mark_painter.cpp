@@ -8,6 +8,7 @@
 
 #include "core/project/notes.h"
 #include "studio/timeline/level_of_detail.h"
+#include "studio/timeline/mark_stamp.h"
 #include "studio/timeline/track_painter.h"
 
 namespace kumite::studio {
@@ -66,6 +67,12 @@ void MarkPainter::paintActions(const Track& track, int player) {
     const QFont font = painter_.font();
     painter_.setFont(smallFont(painter_));
     const auto& actions = fighter.segmentation->actions;
+    MarkStamp notch(5, painter_.device()->devicePixelRatioF(), [this](QPainter& painter) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(withAlpha(colours_.text, 0.8));
+        const QPointF corners[] = {{-3, 0}, {3, 0}, {0, 4}};
+        painter.drawPolygon(corners, 3);
+    });
     const auto fill = [&](const QRectF& block, double alpha) {
         // Whole pixels: crisp, and fast where there are thousands.
         const int left = static_cast<int>(std::lround(block.left()));
@@ -95,12 +102,7 @@ void MarkPainter::paintActions(const Track& track, int player) {
         const QRectF block(from, strip.top(), width - (width > 5 ? 1 : 0), strip.height());
         fill(block, index % 2 == 0 ? 0.50 : 0.28);
         if (width > 8) {
-            const double peak = axis.xOf(first->peak);
-            const QPointF notch[] = {
-                {peak - 3, strip.top()}, {peak + 3, strip.top()}, {peak, strip.top() + 4}};
-            painter_.setPen(Qt::NoPen);
-            painter_.setBrush(withAlpha(colours_.text, 0.8));
-            painter_.drawPolygon(notch, 3);
+            notch.put(painter_, QPointF(axis.xOf(first->peak), strip.top()));
         }
         if (width > 44) {
             painter_.setPen(colours_.text);
@@ -152,14 +154,18 @@ void MarkPainter::paintMinima(const Track& track, int player) {
     if (spacing < 2.5) return;
     const double radius = spacing < 6 ? 1.2 : 2.0;
     const double threshold = session_.document().analysis().settings.prominence;
-    painter_.setPen(Qt::NoPen);
+    const auto dot = [&](double r, const QColor& colour) {
+        return MarkStamp(r, painter_.device()->devicePixelRatioF(), [r, colour](QPainter& painter) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(colour);
+            painter.drawEllipse(QPointF(), r, r);
+        });
+    };
+    MarkStamp cutting = dot(radius, colours_.fighterText[player]);
+    MarkStamp shallow = dot(0.7 * radius, withAlpha(colours_.secondText, 0.6));
     for (auto minimum = first; minimum != last; ++minimum) {
-        const bool cuts = minimum->prominence >= threshold;
-        painter_.setBrush(cuts ? colours_.fighterText[player]
-                               : withAlpha(colours_.secondText, 0.6));
-        const double r = cuts ? radius : radius * 0.7;
-        painter_.drawEllipse(QPointF(axis.xOf(minimum->frame), track.yOfForce(minimum->force)), r,
-                             r);
+        MarkStamp& stamp = minimum->prominence >= threshold ? cutting : shallow;
+        stamp.put(painter_, QPointF(axis.xOf(minimum->frame), track.yOfForce(minimum->force)));
     }
 }
 
@@ -196,16 +202,25 @@ void MarkPainter::paintSuspects(const Track& track, int player) {
         places.push_back(axis.xOf(mark->frame));
         weights.push_back(mark->suspicion);
     }
-    painter_.setPen(QPen(colours_.ground, 1));
-    painter_.setBrush(colours_.accent);
+    // As big as the suspicion, in steps that cannot be told apart.
+    constexpr int kSizes = 17;
+    std::vector<MarkStamp> diamonds;
+    for (int size = 0; size < kSizes; ++size) {
+        const double half = 2.5 + 0.25 * size;
+        diamonds.emplace_back(
+            half + 1, painter_.device()->devicePixelRatioF(), [half, this](QPainter& painter) {
+                painter.setPen(QPen(colours_.ground, 1));
+                painter.setBrush(colours_.accent);
+                const QPointF corners[] = {{0, -half}, {half, 0}, {0, half}, {-half, 0}};
+                painter.drawPolygon(corners, 4);
+            });
+    }
     for (const std::size_t kept : heaviestPerCell(places, weights, 8)) {
         const BoundaryMark& mark = *suspects[kept];
         const auto& minimum = minima[static_cast<std::size_t>(*mark.minimum)];
-        const QPointF at(places[kept], track.yOfForce(minimum.force));
-        const double half = 2.5 + 4.0 * mark.suspicion;
-        const QPointF diamond[] = {at - QPointF(0, half), at + QPointF(half, 0),
-                                   at + QPointF(0, half), at - QPointF(half, 0)};
-        painter_.drawPolygon(diamond, 4);
+        const auto size = static_cast<std::size_t>(
+            std::lround(std::clamp<double>(mark.suspicion, 0, 1) * (kSizes - 1)));
+        diamonds[size].put(painter_, QPointF(places[kept], track.yOfForce(minimum.force)));
     }
 }
 

@@ -183,9 +183,12 @@ void TrackPainter::paintCurves(const Track& track, const Fighter& fighter, int p
     const auto faint = [this](const QColor& colour, double share) {
         return mixed(colours_.ground, colour, share);
     };
-    const QRectF row = track.row();
-    CurvePicture curves(QRectF(plot.left(), row.top(), plot.width(), row.height()),
-                        painter_.device()->devicePixelRatioF());
+    // No bigger than what the curves take: it is cleared and laid over the row as a whole.
+    constexpr double kAir = 2;
+    QRectF area = plot;
+    for (const SpeedRow& speed : track.speeds())
+        area |= speed.plot;
+    CurvePicture curves(area.adjusted(0, -kAir, 0, kAir), painter_.device()->devicePixelRatioF());
     // The noise of the unsmoothed force may be higher than the axis, and so may rare speeds be.
     curves.draw(track.rawForce(), axis, track.forceAxis(), plot, faint(own, 0.35), 1.0);
     curves.draw(track.height(), axis, track.heightAxis(), plot, faint(colours_.secondText, 0.75),

@@ -57,6 +57,14 @@ bool isHand(Role role) {
     return role == Role::LeftWrist || role == Role::RightWrist;
 }
 
+bool isLeftLimb(Role role) {
+    for (const Role each : {Role::LeftShoulder, Role::LeftElbow, Role::LeftWrist, Role::LeftHip,
+                            Role::LeftKnee, Role::LeftAnkle, Role::LeftToe}) {
+        if (role == each) return true;
+    }
+    return false;
+}
+
 /// Whether the way from the pelvis to a hip joint goes through `joint`.
 bool leadsToHip(const Skeleton& skeleton, const RoleMap& roles, int joint) {
     for (const Role hip : {Role::LeftHip, Role::RightHip}) {
@@ -105,8 +113,9 @@ std::vector<Bone> bonesOf(const Skeleton& skeleton, const RoleMap& roles, double
         const int from = skeleton.joints[to].parent;
         if (from < 0) continue;
         const double length = skeleton.joints[to].offset.norm() * metresPerUnit;
-        Bone bone{from, static_cast<int>(to), 0, 0, false};
+        Bone bone{from, static_cast<int>(to)};
         const auto& role = region[static_cast<std::size_t>(from)];
+        bone.isLeft = role && isLeftLimb(*role);
         if (!role) {
             bone.fromRadius = bone.toRadius = std::clamp(0.13 * length, 0.008, 0.05);
         } else {

@@ -15,6 +15,7 @@ struct Bone {
     double fromRadius = 0;
     double toRadius = 0;
     bool isHead = false;
+    bool isLeft = false;  ///< of the left arm or leg
 };
 
 /// A bone from every joint to each of its children, End Sites included; as thick as its role in

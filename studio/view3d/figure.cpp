@@ -12,6 +12,8 @@
 
 #include <algorithm>
 
+#include "studio/app/theme.h"
+
 namespace kumite::studio {
 
 namespace {
@@ -19,6 +21,8 @@ namespace {
 /// Heights of flat things, so that none hides another: grid, shadow, bands.
 constexpr float kShadowHeight = -kSole + 0.002F;
 constexpr float kBandHeight = -kSole + 0.006F;
+/// How much of white the left limbs have.
+constexpr double kLighter = 0.42;
 
 /// A square of side 1 about the origin of the floor, with the picture's corners.
 vtkNew<vtkPolyData> unitSquare() {
@@ -77,12 +81,14 @@ void ShadowActor::show(const std::vector<Bone>& bones, const std::vector<Eigen::
 Figure::Figure(vtkRenderer* renderer, int player)
     : shadow_(renderer, player),
       body_(renderer, MeshActor::Surface::Body),
+      left_(renderer, MeshActor::Surface::Body),
       force_(renderer, MeshActor::Surface::Marker),
       contacts_(renderer, MeshActor::Surface::Flat),
       trails_(renderer, MeshActor::Surface::Marker) {}
 
 void Figure::setColours(const QColor& body, const QColor& marker, double shadow) {
     body_.setColour(body);
+    left_.setColour(mixed(body, Qt::white, kLighter));
     for (MeshActor* actor : {&force_, &contacts_, &trails_})
         actor->setColour(marker);
     shadow_.setStrength(shadow);
@@ -94,8 +100,10 @@ void Figure::show(const std::vector<Bone>& bones, const FigurePose& pose,
         hide();
         return;
     }
-    buildBody(bones, pose.joints, mesh_);
+    buildBody(bones, pose.joints, mesh_, BodyPart::AllButLeftLimbs);
     body_.show(mesh_);
+    buildBody(bones, pose.joints, mesh_, BodyPart::LeftLimbs);
+    left_.show(mesh_);
     shadow_.show(bones, pose.joints);
     showForce(pose, overlays);
     showContacts(pose);
@@ -104,7 +112,7 @@ void Figure::show(const std::vector<Bone>& bones, const FigurePose& pose,
 
 void Figure::hide() {
     shadow_.hide();
-    for (MeshActor* actor : {&body_, &force_, &contacts_, &trails_})
+    for (MeshActor* actor : {&body_, &left_, &force_, &contacts_, &trails_})
         actor->hide();
 }
 

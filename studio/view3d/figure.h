@@ -40,7 +40,8 @@ private:
     vtkNew<vtkActor> actor_;
 };
 
-/// A fighter in the scene: body, shadow, and what the overlays say.
+/// A fighter in the scene: body, shadow, and what the overlays say. The left arm and leg are
+/// lighter: which side strikes is seen from everywhere.
 class Figure {
 public:
     /// Metres that the arrow of one body weight is long.
@@ -59,7 +60,8 @@ private:
 
     Mesh mesh_;
     ShadowActor shadow_;
-    MeshActor body_;
+    MeshActor body_;  ///< all but the left limbs
+    MeshActor left_;
     MeshActor force_;
     MeshActor contacts_;
     MeshActor trails_;

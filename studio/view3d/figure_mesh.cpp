@@ -215,9 +215,10 @@ Ellipsoid headOf(const Bone& bone, const Eigen::Vector3f& from, const Eigen::Vec
 }
 
 void buildBody(const std::vector<Bone>& bones, const std::vector<Eigen::Vector3f>& joints,
-               Mesh& mesh) {
+               Mesh& mesh, BodyPart part) {
     mesh.clear();
     for (const Bone& bone : bones) {
+        if (part != BodyPart::Whole && bone.isLeft != (part == BodyPart::LeftLimbs)) continue;
         const Eigen::Vector3f& from = joints[static_cast<std::size_t>(bone.from)];
         const Eigen::Vector3f& to = joints[static_cast<std::size_t>(bone.to)];
         if (bone.isHead) {

@@ -40,9 +40,12 @@ struct Mesh {
                       float width, float height);
 };
 
+/// What is built of a body.
+enum class BodyPart { Whole, LeftLimbs, AllButLeftLimbs };
+
 /// A body's mesh at one pose: `joints` are the positions of all joints, metres. The number and
-/// order of corners depend on `bones` only.
+/// order of corners depend on `bones` and `part` only.
 void buildBody(const std::vector<Bone>& bones, const std::vector<Eigen::Vector3f>& joints,
-               Mesh& mesh);
+               Mesh& mesh, BodyPart part = BodyPart::Whole);
 
 }  // namespace kumite::studio

@@ -323,6 +323,7 @@ void StageView::setTools(QWidget* tools) {
 
 void StageView::showCaption() {
     QString text = tr("grid 1 m");
+    text += tr("   ·   left limbs lighter");
     if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
     if (isMeasuring()) text = measuringHint_;
     scene_->caption->setText(text);

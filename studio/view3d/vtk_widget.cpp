@@ -23,6 +23,8 @@ namespace {
 
 /// Milliseconds without a change after which edges are smoothed.
 constexpr int kStill = 120;
+/// Milliseconds after which a picture is drawn in a new size.
+constexpr int kResized = 15;
 
 /// OpenGL's bytes r, g, b, a as one of Qt's pixels; little-endian, as all machines with a desktop.
 quint32 qtPixel(quint32 rgba) {
@@ -47,6 +49,9 @@ VtkWidget::VtkWidget(QWidget* parent) : QWidget(parent) {
     stillness_.setSingleShot(true);
     stillness_.setInterval(kStill);
     connect(&stillness_, &QTimer::timeout, this, &VtkWidget::smoothen);
+    resized_.setSingleShot(true);
+    resized_.setInterval(kResized);
+    connect(&resized_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
 }
 
 VtkWidget::~VtkWidget() {
@@ -149,6 +154,10 @@ void VtkWidget::readPicture() {
 }
 
 void VtkWidget::paintEvent(QPaintEvent* event) {
+    if (resized_.isActive() && !picture_.isNull()) {
+        QPainter(this).drawImage(rect(), picture_);
+        return;
+    }
     if (dirty_) {
         draw(ready_ && !software_);
         if (!smooth_) stillness_.start();
@@ -165,6 +174,7 @@ void VtkWidget::paintEvent(QPaintEvent* event) {
 
 void VtkWidget::resizeEvent(QResizeEvent*) {
     dirty_ = true;
+    if (isVisible() && !resized_.isActive()) resized_.start();
 }
 
 void VtkWidget::smoothen() {

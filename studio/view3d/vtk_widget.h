@@ -24,6 +24,7 @@ namespace kumite::studio {
 /// than the scene. Draws only what was marked dirty. Mouse and keys are left to the parent widget.
 ///
 /// Without a graphics card edges are smoothed only once the picture has stood still for a moment.
+/// While the widget is being resized the picture that is there is stretched; the new one follows.
 class VtkWidget : public QWidget {
     Q_OBJECT
 
@@ -58,6 +59,7 @@ private:
     std::vector<quint32> pixels_;  ///< as OpenGL gives them: the lowest row first
     QImage picture_;
     QTimer stillness_;
+    QTimer resized_;  ///< until the picture in the new size is drawn
     bool ready_ = false;
     bool dirty_ = true;
     bool smooth_ = false;    ///< picture_ has smooth edges

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "studio/app/session.h"
+#include "studio/timeline/lanes.h"
 #include "studio/timeline/timeline_view.h"
 #include "tests/support/builders.h"
 
@@ -86,13 +87,50 @@ Session& longBout() {
     return session;
 }
 
-/// Arguments: visible seconds, 1 for all rows, width in pixels.
+/// Seven lanes as full as those of a bout that is half labelled.
+class MadeLanes : public LaneSource {
+public:
+    explicit MadeLanes(const Session& session) {
+        std::mt19937 random(5);
+        for (int player = 0; player < 2; ++player) {
+            const auto& actions = session.fighter(player)->segmentation->actions;
+            for (std::size_t i = 0; i < actions.size() * kLanes; ++i) {
+                LaneCell cell;
+                cell.value = static_cast<std::int8_t>(random() % 4);
+                cell.look = static_cast<LaneLook>(random() % 6);
+                cell.uncertain = cell.look == LaneLook::Proposed && random() % 3 == 0;
+                cells_[player].push_back(cell);
+            }
+        }
+    }
+    int laneCount() const override { return kLanes; }
+    QString laneName(int lane) const override { return QStringLiteral("Lane %1").arg(lane); }
+    int chosenLane() const override { return 1; }
+    QString valueText(int, int value) const override { return QStringLiteral("v%1").arg(value); }
+    QColor valueColour(int lane, int value) const override {
+        return QColor::fromHsv(lane * 45, 180, 90 + 40 * value);
+    }
+    std::span<const LaneCell> cells(int player) const override { return cells_[player]; }
+    std::vector<ActionRef> chosen() const override { return {}; }
+    QString describe(const ActionRef&, int) const override { return {}; }
+    bool pressed(const ActionRef&, int, Qt::KeyboardModifiers) override { return false; }
+    void dragged(const ActionRef&) override {}
+    void released() override {}
+
+private:
+    static constexpr int kLanes = 7;
+    std::vector<LaneCell> cells_[2];
+};
+
+/// Arguments: visible seconds; 1 for all rows of curves, 2 for lanes, too; width in pixels.
 void paintAnew(benchmark::State& state) {
     Session& session = longBout();
     TimelineView view(session);
     const auto width = static_cast<int>(state.range(2));
-    view.resize(width, state.range(1) ? 420 : 250);
+    MadeLanes lanes(session);
+    view.resize(width, state.range(1) == 2 ? 520 : state.range(1) == 1 ? 420 : 250);
     if (state.range(1)) view.setOptions({true, true, true, true, RulerUnits::Both});
+    if (state.range(1) == 2) view.setLanes(&lanes);
     while (view.isPreparing())
         QApplication::processEvents();
     QImage image(view.size(), QImage::Format_ARGB32_Premultiplied);
@@ -123,7 +161,7 @@ void movePlayhead(benchmark::State& state) {
 }
 
 BENCHMARK(paintAnew)
-    ->ArgsProduct({{1, 4, 15, 60, 240, 900, 3600}, {0, 1}, {1280, 1920}})
+    ->ArgsProduct({{1, 4, 15, 60, 240, 900, 3600}, {0, 1, 2}, {1280, 1920}})
     ->ArgNames({"seconds", "all", "width"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(movePlayhead)->Unit(benchmark::kMillisecond);

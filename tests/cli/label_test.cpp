@@ -156,7 +156,7 @@ TEST_F(LabelCommand, ComparesAndMergesTwoPeople) {
     const std::string before = test::readText(project);
     const Result merged = kumite({"label", project, "--import", theirs, "--merge"});
     EXPECT_EQ(merged.code, 0) << merged.err;
-    EXPECT_NE(merged.out.find("1 values differ"), std::string::npos) << merged.out;
+    EXPECT_NE(merged.out.find("1 value differs"), std::string::npos) << merged.out;
     EXPECT_EQ(test::readText(project), before) << "my labels stay";
     EXPECT_EQ(kumite({"label", project, "--import", theirs}).code, 0);
     EXPECT_NE(test::readText(project), before) << "without --merge the file wins";

@@ -50,6 +50,9 @@ TEST(Agreement, KappaWorkedOutOnPaper) {
     EXPECT_EQ(agreement.same, 3) << "actions 0, 2 and, as far as both judged it, 4";
     EXPECT_EQ(agreement.onlyFirst, 2) << "the other fighter";
     EXPECT_EQ(agreement.onlySecond, 1);
+    ASSERT_EQ(agreement.additions.size(), 6u) << "the learnt aspects of one action";
+    EXPECT_EQ(agreement.additions[0].action, 5);
+    EXPECT_EQ(agreement.additions[0].first, kUnknown);
     // Left punch over four actions: first fwd 2, bwd 1, others 1; second fwd 2, bwd 2; two agree.
     const AspectAgreement& punch = agreement.aspects[0];
     EXPECT_EQ(punch.both, 4);
@@ -89,6 +92,14 @@ TEST(Agreement, DifferencesCanBeTakenOver) {
     EXPECT_FALSE(takeOverLabels(two.project, two.analysis, {{agreement.differences[2]}}))
         << "the second said nothing there";
     EXPECT_FALSE(takeOverLabels(two.project, two.analysis, {}));
+    const auto added = takeOverLabels(two.project, two.analysis, agreement.additions);
+    ASSERT_TRUE(added);
+    const auto both = compareLabels(added->project, two.analysis,
+                                    ownLabels(added->project, two.analysis), two.second);
+    EXPECT_TRUE(both.additions.empty());
+    EXPECT_EQ(both.both, agreement.both + 1);
+    EXPECT_EQ(both.same, agreement.same + 1);
+    EXPECT_EQ(both.differences, agreement.differences) << "what both judged stays";
     EXPECT_THROW(takeOverLabels(two.project, two.analysis, {{{kRed, 99, 0, 0, 1}}}), Error);
 }
 

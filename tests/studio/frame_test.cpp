@@ -179,7 +179,7 @@ TEST_F(WindowTest, LayoutIsRestored) {
     press(Qt::Key_H);
     EXPECT_TRUE(window_->documentPanel().isVisible());
     EXPECT_NEAR(window_->documentPanel().width(), wide, 2);
-    for (const char* key : {"geometry", "rows", "columns", "panels"})
+    for (const char* key : {"geometry", "layout", "panels"})
         QSettings().remove(key);
 }
 

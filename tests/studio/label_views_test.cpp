@@ -364,6 +364,17 @@ TEST_F(LabelViewsTest, TwoPeopleAreComparedAndTheirsTakenByKey) {
     press(Qt::Key_Z, Qt::ControlModifier);
     settle();
     EXPECT_EQ(box.agreement()->differences.size(), 5U);
+    EXPECT_FALSE(window_->commands().isEnabled(*window_->commands().find("label.compare.add")));
+    // What only they labelled comes in as one step.
+    ASSERT_TRUE(labels().clear(std::vector<int>{1}));
+    settle();
+    EXPECT_EQ(box.agreement()->onlySecond, 1);
+    const std::size_t without = steps();
+    run("label.compare.add");
+    settle();
+    EXPECT_EQ(steps(), without + 1);
+    EXPECT_EQ(box.agreement()->onlySecond, 0);
+    EXPECT_EQ(box.agreement()->both, 4);
     box.close();
     EXPECT_FALSE(box.isComparing());
 }

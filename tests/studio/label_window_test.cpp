@@ -214,6 +214,17 @@ TEST_F(LabelTest, ReturnTakesTheBestAndBackspaceTheSecondBest) {
     press(Qt::Key_Return);
     EXPECT_EQ(handLabel(question.fighter, question.peak), best);
 
+    // What is proposed is what the numbers say: the second best is never likelier.
+    int told = 0;
+    for (const ShownAction& action : labels().actions()) {
+        const auto most = probabilityOf(labels().vocabulary(), action, action.label());
+        const Label next = secondBest(labels().vocabulary(), action);
+        if (!most || action.anyByHand() || next.front() == kUnknown) continue;
+        EXPECT_GE(*most, probabilityOf(labels().vocabulary(), action, next).value());
+        told += *most > 0;
+    }
+    EXPECT_GT(told, 10);
+
     // One whose learnt aspects have two classes.
     const auto torn = std::find_if(
         labels().actions().begin(), labels().actions().end(), [&](const ShownAction& action) {

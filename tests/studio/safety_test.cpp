@@ -195,6 +195,29 @@ TEST_F(SafetyTest, TheSecondStudioOnAProjectIsTold) {
     EXPECT_EQ(session().document().path(), project());
 }
 
+TEST_F(SafetyTest, PicturesAndWatchedRunsAskNobody) {
+    openSaved();  // and holds the lock
+    const std::string before = fingerprint(project());
+    writeText(file("script"), "boundary.add\nfile.saveAs\nfile.quit\n");
+    const auto told = [&](const QStringList& arguments) {
+        Studio studio(file("alone"), arguments + QStringList{project()});
+        EXPECT_TRUE(studio.waitForFinished(120000)) << "it waits for somebody";
+        EXPECT_EQ(studio.exitCode(), 0);
+        return QString::fromUtf8(studio.readAllStandardError());
+    };
+    const QString elsewhere =
+        "bout.kumite is open in another studio. Nobody is here to answer: "
+        "Open a copy.";
+    const QString ofPicture = told({"--picture", file("out.png")});
+    EXPECT_TRUE(ofPicture.contains(elsewhere)) << ofPicture.toStdString();
+    EXPECT_TRUE(QFile::exists(file("out.png")));
+    const QString ofScript = told({"--watch", "--script", file("script")});
+    EXPECT_TRUE(ofScript.contains(elsewhere)) << ofScript.toStdString();
+    EXPECT_TRUE(ofScript.contains("nobody is here to choose a file"));
+    EXPECT_TRUE(ofScript.contains("Save the changes to"));
+    EXPECT_EQ(fingerprint(project()), before) << "it wrote into the project of another";
+}
+
 TEST_F(SafetyTest, TheLockOfADeadStudioIsNoObstacle) {
     openSaved();
     writeText(file("script"), "wait 1\n");

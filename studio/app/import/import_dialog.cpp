@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
@@ -18,6 +17,7 @@
 #include "core/base/text.h"
 #include "studio/app/import/import_preview.h"
 #include "studio/app/import/role_table.h"
+#include "studio/app/questions.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 
@@ -98,8 +98,8 @@ bool ImportDialog::isBusy() const {
 }
 
 void ImportDialog::chooseFile(QLineEdit* field, const QString& filter) {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Choose a recording"), QFileInfo(field->text()).absolutePath(), filter);
+    const QString path =
+        fileToOpen(this, tr("Choose a recording"), QFileInfo(field->text()).absolutePath(), filter);
     if (path.isEmpty()) return;
     field->setText(path);
     readFiles();

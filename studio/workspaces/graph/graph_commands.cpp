@@ -1,11 +1,11 @@
 #include "studio/workspaces/graph/graph_commands.h"
 
 #include <QApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
 
 #include "studio/app/commands.h"
+#include "studio/app/questions.h"
 #include "studio/view3d/graph_view.h"
 #include "studio/workspaces/graph/graph_centre.h"
 #include "studio/workspaces/graph/graph_export.h"
@@ -26,7 +26,7 @@ void askForExport(GraphCentre& centre, GraphSession& graph) {
     QSettings settings;
     const QString key = QStringLiteral("exportFolder");
     const QString name = QFileInfo(graph.session().document().name()).completeBaseName();
-    const QString path = QFileDialog::getSaveFileName(
+    const QString path = fileToSave(
         centre.window(), text("Export transitions"),
         settings.value(key).toString() + QLatin1Char('/') + name + QStringLiteral("-graph.csv"),
         text("Edges as a table (*.csv);;Graph and model (*.json);;Graph (*.graphml);;Picture "

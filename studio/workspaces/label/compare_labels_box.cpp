@@ -104,6 +104,7 @@ CompareLabelsBox::CompareLabelsBox(LabelSession& labels, QWidget* parent)
       theirsButton_(new QPushButton(tr("Take theirs"), this)),
       mineButton_(new QPushButton(tr("Keep mine"), this)),
       allButton_(new QPushButton(this)),
+      addButton_(new QPushButton(this)),
       closeButton_(new QPushButton(tr("Close"), this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -117,6 +118,7 @@ CompareLabelsBox::CompareLabelsBox(LabelSession& labels, QWidget* parent)
     buttons->addWidget(mineButton_, 0, 1);
     buttons->addWidget(allButton_, 1, 0);
     buttons->addWidget(closeButton_, 1, 1);
+    buttons->addWidget(addButton_, 2, 0, 1, 2);
     layout->addLayout(buttons);
     sentence_->setWordWrap(true);
     sentence_->setAlignment(Qt::AlignTop);
@@ -157,6 +159,8 @@ CompareLabelsBox::CompareLabelsBox(LabelSession& labels, QWidget* parent)
     theirsButton_->setToolTip(tr("Their value, as said by a hand; goes on to the next (Enter)"));
     mineButton_->setToolTip(tr("What the project says stays; goes on to the next (Backspace)"));
     allButton_->setToolTip(tr("Theirs for all that are not decided, as one step of the history"));
+    addButton_->setToolTip(tr("Their labels where you have none, as said by a hand, in one step"));
+    connect(addButton_, &QPushButton::clicked, this, &CompareLabelsBox::addOnlyTheirs);
     connect(theirsButton_, &QPushButton::clicked, this, &CompareLabelsBox::takeTheirs);
     connect(mineButton_, &QPushButton::clicked, this, &CompareLabelsBox::keepMine);
     connect(allButton_, &QPushButton::clicked, this, &CompareLabelsBox::takeAllTheirs);
@@ -265,12 +269,18 @@ void CompareLabelsBox::showButtons() {
             tr("Another person's labels are compared here with those of the "
                "project: Label > Compare with labels of… opens their file."));
     } else {
-        QString text = tr("%1: %2 actions labelled by both, %3 of them alike")
+        QString text = (agreement_->both == 1 ? tr("%1: 1 action labelled by both, %2 alike")
+                                              : tr("%1: %3 actions labelled by both, %2 alike"))
                            .arg(name_)
-                           .arg(agreement_->both)
                            .arg(agreement_->same);
+        if (agreement_->both != 1) text = text.arg(agreement_->both);
         if (agreement_->kappa) text += tr(", κ %1").arg(*agreement_->kappa, 0, 'f', 2);
-        sentence_->setText(text + tr(". %1 differences to decide.").arg(open));
+        text += open == 0   ? tr(". No difference to decide.")
+                : open == 1 ? tr(". 1 difference to decide.")
+                            : tr(". %1 differences to decide.").arg(open);
+        if (agreement_->onlyFirst > 0)
+            text += tr(" Only you labelled %1 more.").arg(agreement_->onlyFirst);
+        sentence_->setText(text);
     }
     table_->setVisible(agreement_.has_value());
     for (QPushButton* button : {theirsButton_, mineButton_, allButton_, closeButton_})
@@ -280,6 +290,10 @@ void CompareLabelsBox::showButtons() {
     mineButton_->setEnabled(any);
     allButton_->setText(tr("Theirs for all %1").arg(open));
     allButton_->setEnabled(open > 0);
+    const int only = agreement_ ? agreement_->onlySecond : 0;
+    addButton_->setVisible(only > 0);
+    addButton_->setText(only == 1 ? tr("Add the 1 that only they labelled")
+                                  : tr("Add the %1 that only they labelled").arg(only));
 }
 
 int CompareLabelsBox::current() const {
@@ -332,6 +346,14 @@ void CompareLabelsBox::keepMine() {
     model_->decide(row, DifferencesModel::Decision::Mine);
     showButtons();
     step(1);
+}
+
+void CompareLabelsBox::addOnlyTheirs() {
+    if (!agreement_) return;
+    labels_.session().document().apply(
+        Document::BoundaryEdit([&](const Project& project, const Analysis& analysis) {
+            return takeOverLabels(project, analysis, agreement_->additions);
+        }));
 }
 
 void CompareLabelsBox::takeAllTheirs() {

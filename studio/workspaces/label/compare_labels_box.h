@@ -50,7 +50,7 @@ private:
 };
 
 /// Another person's labels beside the project's own: how far the two agree (Cohen's κ per aspect),
-/// and every difference, to be decided one by one or all at once.
+/// every difference, to be decided one by one or all at once, and what only the other has.
 class CompareLabelsBox : public QWidget {
     Q_OBJECT
 
@@ -71,6 +71,8 @@ public:
     void keepMine();
     /// Takes theirs for all that are still open, as one step.
     void takeAllTheirs();
+    /// Takes over what they say of actions that the project has no label by hand of, as one step.
+    void addOnlyTheirs();
     /// Ends the comparison.
     void close();
 
@@ -95,6 +97,7 @@ private:
     QPushButton* theirsButton_;
     QPushButton* mineButton_;
     QPushButton* allButton_;
+    QPushButton* addButton_;
     QPushButton* closeButton_;
     bool choosing_ = false;
 };

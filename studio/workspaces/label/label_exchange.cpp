@@ -1,6 +1,5 @@
 #include "studio/workspaces/label/label_exchange.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -12,6 +11,7 @@
 #include "core/project/labels.h"
 #include "core/project/vocabulary_change.h"
 #include "studio/app/message_strip.h"
+#include "studio/app/questions.h"
 #include "studio/app/session.h"
 
 namespace kumite::studio {
@@ -56,24 +56,23 @@ LabelExchange::LabelExchange(Session& session, MessageStrip& messages, QWidget* 
 }
 
 void LabelExchange::askForImport() {
-    const QString path =
-        QFileDialog::getOpenFileName(window_, tr("Take over labels"), startFolder(), kindsToRead());
+    const QString path = fileToOpen(window_, tr("Take over labels"), startFolder(), kindsToRead());
     if (path.isEmpty()) return;
     keepFolder(path);
     importFrom(path);
 }
 
 void LabelExchange::askForOther() {
-    const QString path = QFileDialog::getOpenFileName(
-        window_, tr("Compare with another person's labels"), startFolder(), kindsToRead());
+    const QString path = fileToOpen(window_, tr("Compare with another person's labels"),
+                                    startFolder(), kindsToRead());
     if (path.isEmpty()) return;
     keepFolder(path);
     compareWith(path);
 }
 
 void LabelExchange::askForVocabulary() {
-    const QString path = QFileDialog::getOpenFileName(window_, tr("Use another vocabulary"),
-                                                      startFolder(), tr("Vocabularies (*.json)"));
+    const QString path = fileToOpen(window_, tr("Use another vocabulary"), startFolder(),
+                                    tr("Vocabularies (*.json)"));
     if (path.isEmpty()) return;
     keepFolder(path);
     useVocabulary(path);
@@ -82,9 +81,9 @@ void LabelExchange::askForVocabulary() {
 void LabelExchange::askForExport() {
     const QString name = QFileInfo(session_.document().name()).completeBaseName();
     QString kind;
-    QString path = QFileDialog::getSaveFileName(
-        window_, tr("Write labels"), startFolder() + QLatin1Char('/') + name,
-        tr("Table (*.csv);;JSON (*.json);;ELAN, the shown take (*.eaf)"), &kind);
+    QString path =
+        fileToSave(window_, tr("Write labels"), startFolder() + QLatin1Char('/') + name,
+                   tr("Table (*.csv);;JSON (*.json);;ELAN, the shown take (*.eaf)"), &kind);
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) {
         path += kind.contains(QStringLiteral("*.json"))  ? QStringLiteral(".json")

@@ -21,20 +21,27 @@ constexpr int kRow = 16;
 constexpr int kChip = 18;
 constexpr int kGap = 4;
 
-/// A label in half a line: "L punch fwd", "R kick up" where the aspect has a mirror, by the first
-/// letter of what tells it from that.
-QString shortWords(const Vocabulary& vocabulary, const Label& label) {
-    for (int a = 0; a < vocabulary.size(); ++a) {
-        const int value = label[static_cast<std::size_t>(a)];
-        const Aspect& aspect = vocabulary[a];
-        if (value == kUnknown || value == aspect.fallback) continue;
-        QString name = QString::fromStdString(aspect.name);
-        const auto blank = name.indexOf(QLatin1Char(' '));
-        if (aspect.mirror != a && blank > 1) name = name.left(1) + name.mid(blank);
-        return name + QLatin1Char(' ') +
-               QString::fromStdString(aspect.qualifiers[static_cast<std::size_t>(value)].id);
+/// What a label and its mirror image have in common, "punch forward", and what tells each from the
+/// other, "left" and "right": word by word.
+struct PairWords {
+    QString both, one, other;
+};
+
+PairWords pairWords(const QString& one, const QString& other) {
+    const QStringList ones = one.split(QLatin1Char(' '));
+    const QStringList others = other.split(QLatin1Char(' '));
+    if (ones.size() != others.size()) return {one, {}, other};
+    QStringList both, first, second;
+    for (qsizetype i = 0; i < ones.size(); ++i) {
+        if (ones[i] == others[i]) {
+            both.append(ones[i]);
+        } else {
+            first.append(ones[i]);
+            second.append(others[i]);
+        }
     }
-    return labelWords(vocabulary, label);
+    const QString blank(QLatin1Char(' '));
+    return {both.join(blank), first.join(blank), second.join(blank)};
 }
 
 /// A key as a small cap; gives its width. Nothing without a key.
@@ -116,8 +123,7 @@ void LabelPalette::addClasses(int& top) {
                 ? QString()
                 : keyOf_(
                       QStringLiteral("label.class%1").arg(QString::fromStdString(qualifier.key)));
-        chip.text =
-            QString::fromStdString(qualifier.id == "others" ? qualifier.name : qualifier.id);
+        chip.text = QString::fromStdString(qualifier.name);
         chip.tip = aspectWords(vocabulary, review_.labels().aspect(), chip.index);
         chip.colour = QColor(QString::fromStdString(qualifier.colour));
         const int cap = chip.key.isEmpty()
@@ -135,28 +141,53 @@ void LabelPalette::addClasses(int& top) {
     top += kChip + kGap;
 }
 
-/// Quick labels; one and its mirror image share a line.
+/// Quick labels; one and its mirror image share a line, under the words that tell them apart.
 void LabelPalette::addQuick(int& top) {
     const Vocabulary& vocabulary = review_.labels().vocabulary();
     const std::vector<QuickLabel> all = quickLabels(vocabulary);
+    const int column = std::max(fontMetrics().horizontalAdvance(QStringLiteral("right")), 28) + 6;
+    QString head;
     for (std::size_t i = 0; i < all.size(); ++i) {
+        Spot quick;
+        quick.kind = Spot::Quick;
+        const auto put = [&](std::size_t label, const QRect& place, const QString& text) {
+            quick.index = static_cast<int>(label);
+            quick.key = keyOf_(QStringLiteral("label.quick%1").arg(label + 1));
+            quick.key.replace(QStringLiteral("Shift+"), QStringLiteral("⇧"));
+            quick.tip = labelWords(vocabulary, all[label].label);
+            quick.place = place;
+            quick.text = text;
+            spots_.push_back(quick);
+        };
         const bool pair = i + 1 < all.size() && all[i + 1].label != all[i].label &&
                           mirroredLabel(vocabulary, all[i].label) == all[i + 1].label;
-        for (std::size_t k = i; k <= i + (pair ? 1U : 0U); ++k) {
-            Spot quick;
-            quick.kind = Spot::Quick;
-            quick.index = static_cast<int>(k);
-            quick.key = keyOf_(QStringLiteral("label.quick%1").arg(k + 1));
-            quick.key.replace(QStringLiteral("Shift+"), QStringLiteral("⇧"));
-            quick.text = labelWords(vocabulary, all[k].label);
-            quick.tip = quick.text;
-            const int half = (width() - kGap) / 2;
-            quick.place = pair ? QRect(k == i ? 0 : half + kGap, top, half, kRow)
-                               : QRect(0, top, width(), kRow);
-            if (pair) quick.text = shortWords(vocabulary, all[k].label);
-            spots_.push_back(quick);
+        if (!pair) {
+            put(i, QRect(0, top, width(), kRow), labelWords(vocabulary, all[i].label));
+            top += kRow;
+            continue;
         }
-        if (pair) ++i;
+        const PairWords words = pairWords(labelWords(vocabulary, all[i].label),
+                                          labelWords(vocabulary, all[i + 1].label));
+        if (head != words.one + words.other) {
+            head = words.one + words.other;
+            Spot caption;
+            caption.kind = Spot::Caption;
+            caption.place = QRect(0, top, column, kRow);
+            caption.text = words.one;
+            spots_.push_back(caption);
+            caption.place.translate(column, 0);
+            caption.text = words.other;
+            spots_.push_back(caption);
+            top += kRow;
+        }
+        put(i, QRect(0, top, column, kRow), {});
+        put(i + 1, QRect(column, top, column, kRow), {});
+        Spot what;
+        what.kind = Spot::Caption;
+        what.place = QRect(2 * column, top, width() - 2 * column, kRow);
+        what.text = words.both;
+        spots_.push_back(what);
+        ++i;
         top += kRow;
     }
 }
@@ -167,6 +198,12 @@ void LabelPalette::paintEvent(QPaintEvent*) {
         if (spot.kind == Spot::Lane) paintLane(painter, spot);
         if (spot.kind == Spot::Class) paintClass(painter, spot);
         if (spot.kind == Spot::Quick) paintQuick(painter, spot);
+        if (spot.kind == Spot::Caption) {
+            painter.setPen(coloursFor(palette()).secondText);
+            painter.drawText(
+                spot.place, Qt::AlignLeft | Qt::AlignVCenter,
+                painter.fontMetrics().elidedText(spot.text, Qt::ElideRight, spot.place.width()));
+        }
     }
     const Colours& c = coloursFor(palette());
     painter.fillRect(QRect(0, quickTop_ - kGap / 2, width(), 1), c.line);
@@ -266,6 +303,8 @@ void LabelPalette::mousePressEvent(QMouseEvent* event) {
             break;
         case Spot::Quick:
             review_.quick(index);
+            break;
+        case Spot::Caption:
             break;
     }
 }

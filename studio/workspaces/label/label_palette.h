@@ -35,7 +35,7 @@ protected:
 private:
     /// A part that can be clicked.
     struct Spot {
-        enum Kind { Lane, Class, Quick } kind = Lane;
+        enum Kind { Lane, Class, Quick, Caption } kind = Lane;
         int index = 0;
         QRect place;
         QString key;

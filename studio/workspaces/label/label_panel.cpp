@@ -26,29 +26,6 @@ namespace {
 /// Questions of the queue that are listed.
 constexpr std::size_t kListed = 100;
 
-/// The confidence of a whole label: the least of its learnt aspects; 0 where it is not known.
-double confidenceOf(const Vocabulary& vocabulary, const ShownAction& action) {
-    double least = 1;
-    for (int a = 0; a < vocabulary.size(); ++a) {
-        if (vocabulary[a].classifier != Classifier::Msvm) continue;
-        const ShownAspect& shown = action.aspects[static_cast<std::size_t>(a)];
-        // One class seen says nothing about how sure the others are.
-        if (shown.standing == Standing::Hand || shown.prediction.blind) continue;
-        least = std::min(least, static_cast<double>(shown.value.confidence));
-    }
-    return least;
-}
-
-/// The probability of the second best: that of the aspect where it differs.
-double secondConfidence(const ShownAction& action) {
-    const ShownAspect* least = nullptr;
-    for (const ShownAspect& aspect : action.aspects) {
-        if (aspect.prediction.blind || aspect.prediction.second == kUnknown) continue;
-        if (!least || aspect.prediction.margin < least->prediction.margin) least = &aspect;
-    }
-    return least ? least->prediction.secondConfidence : 0.0;
-}
-
 bool anyProposal(const Vocabulary& vocabulary, const ShownAction& action) {
     for (int a = 0; a < vocabulary.size(); ++a) {
         const ShownAspect& shown = action.aspects[static_cast<std::size_t>(a)];
@@ -240,18 +217,20 @@ void LabelPanel::showAnswers(const ShownAction& action) {
     }
     const bool proposed = anyProposal(vocabulary, action);
     best_->setEnabled(proposed);
-    best_->setText(proposed ? withKey(label + QStringLiteral("  ") +
-                                          probabilityWords(confidenceOf(vocabulary, action)),
-                                      accept)
+    const auto sure = [&](const Label& of) {
+        const auto probability = probabilityOf(vocabulary, action, of);
+        return probability ? QStringLiteral("  ") + probabilityWords(*probability)
+                           : tr(" · the only class so far");
+    };
+    best_->setText(proposed ? withKey(label + sure(action.label()), accept)
                             : tr("Nothing is proposed yet"));
     const Label second = secondBest(vocabulary, action);
     const bool other =
         std::any_of(second.begin(), second.end(), [](int q) { return q != kUnknown; });
     second_->setEnabled(other);
-    second_->setText(other ? withKey(labelWords(vocabulary, second) + QStringLiteral("  ") +
-                                         probabilityWords(secondConfidence(action)),
-                                     reject)
-                           : tr("Say what it is by a class key"));
+    second_->setText(other      ? withKey(labelWords(vocabulary, second) + sure(second), reject)
+                     : proposed ? tr("Something else: a class key")
+                                : tr("Say what it is by a class key"));
 }
 
 void LabelPanel::showQueue() {
@@ -264,7 +243,8 @@ void LabelPanel::showQueue() {
                            .arg(timeText(labels_.timeOf(action), 0.1))
                            .arg(action.fighter.player + 1)
                            .arg(labelWords(labels_.vocabulary(), action.label()));
-        const double confidence = confidenceOf(labels_.vocabulary(), action);
+        const double confidence =
+            probabilityOf(labels_.vocabulary(), action, action.label()).value_or(0);
         if (anyProposal(labels_.vocabulary(), action) && confidence > 0) {
             text += QStringLiteral("  ") + probabilityWords(confidence);
         }

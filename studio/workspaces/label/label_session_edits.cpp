@@ -205,7 +205,9 @@ bool LabelSession::acceptSure(double leastConfidence) {
                                 trainingHash(learnt()->ground->table.features, learnt()->examples,
                                              project.labelling.learning, learnt()->parameters)};
         if (auto kept = setModel(result->project, model)) result->project = kept->project;
-        result->name = "Accept " + std::to_string(count) + (count == 1 ? " label" : " labels");
+        result->name = count == 0   ? std::string("Accept what rules say")
+                       : count == 1 ? std::string("Accept 1 label")
+                                    : "Accept " + std::to_string(count) + " labels";
         return result;
     });
 }

@@ -98,24 +98,41 @@ void ProgressBox::refresh() {
                          .arg(progress.actions)
                          .arg(progress.byHand)
                          .arg(progress.accepted));
+    // A few labels say nothing about the rest.
+    constexpr int kTells = 10;
     QString counts = tr("%1 labelled").arg(percentText(progress.labelledShare()));
-    if (progress.expectedAccuracy) {
+    if (progress.expectedAccuracy && progress.byHand >= kTells) {
         counts += tr(", expected accuracy %1").arg(percentText(*progress.expectedAccuracy));
     }
+    counts.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"));
     counts_->setText(counts);
     advice_->setText(adviceText());
     const int sure = labels_.countSure(threshold());
     const bool anyLeft = progress.actions > 0 && progress.settled < progress.actions;
-    accept_->setText(sure == 0 && anyLeft && progress.byHand > 0 ? tr("Accept rules")
-                                                                 : tr("Accept %1 sure").arg(sure));
-    accept_->setEnabled(anyLeft && progress.byHand > 0);
+    const bool onlyRules = anyLeft && sure == 0 && labels_.queue().empty();
+    accept_->setText(onlyRules ? tr("Accept rules") : tr("Accept %1 sure").arg(sure));
+    accept_->setEnabled(anyLeft && progress.byHand > 0 && (sure > 0 || onlyRules));
+}
+
+QStringList ProgressBox::seenOnce() const {
+    QStringList names;
+    const Vocabulary& vocabulary = labels_.vocabulary();
+    if (!labels_.learnt() || labels_.actions().empty()) return names;
+    const ShownAction& any = labels_.actions().front();
+    for (int a = 0; a < vocabulary.size(); ++a) {
+        const Prediction& said = any.aspects[static_cast<std::size_t>(a)].prediction;
+        if (vocabulary[a].classifier == Classifier::Msvm && said.blind &&
+            said.qualifier != kUnknown)
+            names.append(QString::fromStdString(vocabulary[a].name).toLower());
+    }
+    return names;
 }
 
 QString ProgressBox::adviceText() const {
     const LabelProgress& progress = labels_.progress();
     if (progress.actions == 0) return tr("No recording is cut into actions yet.");
     if (progress.settled == progress.actions) {
-        return tr("Every action is labelled. File > Export writes the labels.");
+        return tr("Every action is labelled. Ctrl+S saves; Label > Write labels… makes a table.");
     }
     const int few = labels_.querySettings().batch;
     if (progress.byHand == 0) {
@@ -129,6 +146,11 @@ QString ProgressBox::adviceText() const {
         return tr(
             "More labels by hand will hardly help. Look through the least sure, then accept "
             "the sure rest.");
+    }
+    const QStringList unseen = seenOnce();
+    if (!unseen.isEmpty()) {
+        return tr("Nothing of %1 was labelled so far: if there is any, show the machine one.")
+            .arg(unseen.join(tr(", ")));
     }
     return tr("The next ones are those of which the machine is least sure.");
 }

@@ -25,6 +25,8 @@ public:
 
 private:
     QString adviceText() const;
+    /// Learnt aspects of which a single class was labelled so far.
+    QStringList seenOnce() const;
 
     LabelReview& review_;
     LabelSession& labels_;

@@ -53,15 +53,16 @@ QualityBox::QualityBox(LabelSession& labels, QWidget* parent)
     layout->addWidget(accuracy_);
     layout->addWidget(matrix_);
     layout->addWidget(said_);
-    layout->addWidget(list_, 1);
-    layout->addWidget(plot_, 1);
+    layout->addWidget(list_, 4);
+    layout->addWidget(plot_, 4);
     layout->addWidget(gain_);
+    layout->addStretch(1);
     aspects_->setAccessibleName(tr("Aspect of the confusion matrix"));
     said_->setAccessibleName(tr("What the cell says"));
     // Two lines, so that nothing moves when the pointer does.
     said_->setMinimumHeight(2 * fontMetrics().lineSpacing());
     said_->setAlignment(Qt::AlignTop);
-    plot_->setMaximumHeight(180);
+    plot_->setMaximumHeight(220);
     plot_->setToolTip(
         tr("Share of actions whose learnt aspects are all right. Expected: cross-validation over "
            "the hand labels as the session went. As asked and random: the hand labels are dealt "

@@ -93,4 +93,28 @@ Label secondBest(const Vocabulary& vocabulary, const ShownAction& action) {
                          action.aspects[static_cast<std::size_t>(least)].prediction.second);
 }
 
+std::optional<double> probabilityOf(const Vocabulary& vocabulary, const ShownAction& action,
+                                    const Label& label) {
+    std::optional<double> least;
+    for (int a = 0; a < vocabulary.size(); ++a) {
+        if (vocabulary[a].classifier != Classifier::Msvm) continue;
+        const ShownAspect& shown = action.aspects[static_cast<std::size_t>(a)];
+        const Prediction& said = shown.prediction;
+        const int qualifier = label[static_cast<std::size_t>(a)];
+        // One class seen says nothing about how sure the others are.
+        if (shown.standing == Standing::Hand || said.blind || qualifier == kUnknown) continue;
+        // Of what is neither best nor second best no more is known than what those leave.
+        double own =
+            std::clamp(1 - said.confidence - said.secondConfidence, 0.0, said.secondConfidence);
+        if (qualifier == said.qualifier)
+            own = said.confidence;
+        else if (qualifier == said.second)
+            own = said.secondConfidence;
+        else if (shown.standing == Standing::Accepted && qualifier == shown.value.qualifier)
+            own = static_cast<double>(shown.value.confidence);
+        least = std::min(least.value_or(1), own);
+    }
+    return least;
+}
+
 }  // namespace kumite::studio

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/labelling/label_filter.h"
 #include "core/labelling/learner.h"
 #include "core/project/project.h"
@@ -49,5 +51,11 @@ struct ShownAction {
 /// The whole label that comes next: with the second best qualifier where the margin is smallest.
 /// All unknown where the machine has learnt nothing.
 Label secondBest(const Vocabulary& vocabulary, const ShownAction& action);
+
+/// How probable the machine holds a whole label: the least over the learnt aspects that no hand
+/// named. Of the shown label it is never below that of the second best. 0 as long as it is not
+/// known; nothing where the machine has seen a single class of each: it cannot tell.
+std::optional<double> probabilityOf(const Vocabulary& vocabulary, const ShownAction& action,
+                                    const Label& label);
 
 }  // namespace kumite::studio

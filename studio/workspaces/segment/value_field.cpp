@@ -52,6 +52,16 @@ ValueField::ValueField(const SliderScale& scale, const Look& look, QWidget* pare
         setValue(std::round(scale_.valueAt(step) * unit) / unit);
         Q_EMIT chosen(value_);
     });
+    // An arrow key is a step of the field, which the scale may have several or none for.
+    connect(slider_, &QSlider::actionTriggered, this, [this](int action) {
+        const int way = action == QAbstractSlider::SliderSingleStepAdd   ? 1
+                        : action == QAbstractSlider::SliderSingleStepSub ? -1
+                                                                         : 0;
+        if (way == 0) return;
+        const int step = scale_.stepOf(value_ + way * field_->singleStep());
+        const int now = slider_->value();
+        slider_->setSliderPosition(way > 0 ? std::max(step, now + 1) : std::min(step, now - 1));
+    });
     connect(slider_, &QSlider::sliderReleased, this, &ValueField::released);
     connect(field_, &QDoubleSpinBox::valueChanged, this, &ValueField::fieldEdited);
 }
