@@ -1,4 +1,5 @@
 // kumite hit and kumite keyframes on a short demo bout.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -127,7 +128,8 @@ TEST_F(EditingCommands, AStrikeAtATargetIsABlockOfASequence) {
                            std::to_string(point.z());
     const auto made = json({"sequence", project, "--play", "demo:1:2", name + at, "demo:1:4",
                             "--out", path("sequence.bvh"), "--json"});
-    EXPECT_EQ(made["pieces"].size(), 5u);
+    EXPECT_TRUE(std::any_of(made["pieces"].begin(), made["pieces"].end(),
+                            [&](const auto& piece) { return piece["clip"] == name + at; }));
     EXPECT_EQ(Written(path("sequence.bvh")).motion->frameCount, made["frames"].get<int>());
     const Result far = kumite({"sequence", project, "--play", "demo:1:2", name + "@0,1,9", "--out",
                                path("sequence.bvh")});
