@@ -8,7 +8,7 @@
 namespace kumite {
 namespace {
 
-constexpr std::size_t kSampledFrames = 20000;
+constexpr std::size_t kSampledFrames = 8000;
 constexpr int kStretch = 200;  ///< frames of a sample that follow each other
 constexpr int kSteps = 12;
 constexpr double kCloseEnough = 0.02;  ///< of the wished number of clusters
