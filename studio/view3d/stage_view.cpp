@@ -339,7 +339,14 @@ void StageView::placeOverlays() {
     scene_->canvas->setGeometry(rect());
     scene_->labels->setGeometry(rect());
     QLabel* caption = scene_->caption;
+    const int room = width() - 24;
+    caption->setWordWrap(false);
     caption->adjustSize();
+    if (caption->width() > room) {
+        // A narrow view: in two lines.
+        caption->setWordWrap(true);
+        caption->resize(room, caption->heightForWidth(room));
+    }
     caption->move(12, height() - caption->height() - 8);
     if (tools_ == nullptr) return;
     tools_->adjustSize();
