@@ -192,8 +192,8 @@ constexpr char kFooter[] =
                                     left_hand, right_hand, left_foot, right_foot, hips, chest, head
   "easing": "smooth"                of the way to the next key: linear, smooth, in, out, hold
 }, …]
-Without --parts, a part comes from the clip that the whole body is taken from, unless another clip
-matches the keys better in it. The result begins at the first key and ends at the last.
+Without --parts, arms and trunk come from the clip that the whole body is taken from, unless
+another clip matches the keys better in them; legs always do. The result begins at the first key and ends at the last.
 Example: kumite keyframes karate/ --keys keys.json --parts right_arm=martial_03,trunk=body --out x.bvh)";
 
 }  // namespace

@@ -249,6 +249,7 @@ AssemblyPlan planAssembly(const KeyLibrary& library, const KeyTrack& track,
                 own = bestMatch(library, track, part, choice.within);
                 break;
             case PartChoice::Kind::Automatic: {
+                if (part == BodyPart::LeftLeg || part == BodyPart::RightLeg) break;
                 int differing = 0;
                 for (std::size_t k = 0; k < keys.bits.size(); ++k) {
                     const PoseBits bits = library.features.bits[static_cast<std::size_t>(

@@ -45,10 +45,12 @@ std::vector<PoseMatch> findSimilar(const KeyLibrary& library, const KeyTrack& tr
 /// Where a part comes from.
 struct PartChoice {
     enum class Kind {
-        Automatic,  ///< from the body's clip, or from its own best match where that fits better
-        WithBody,   ///< from the body's clip
-        Own,        ///< from its own best match, in `within` if that is given
-        Match       ///< from `match`, as chosen from a list
+        /// From the body's clip, or from its own best match where that fits better; legs from the
+        /// body's clip, because its way through space is theirs.
+        Automatic,
+        WithBody,  ///< from the body's clip
+        Own,       ///< from its own best match, in `within` if that is given
+        Match      ///< from `match`, as chosen from a list
     };
     Kind kind = Kind::Automatic;
     std::optional<ClipRange> within;

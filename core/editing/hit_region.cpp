@@ -50,19 +50,21 @@ Box extendedBox(const StrikeSpace& space, const HitSettings& settings, double st
     return box;
 }
 
-Coverage coverageOf(const StrikeSpace& space, const Box& box, double cube,
+Coverage coverageOf(const StrikeSpace& space, const Box& box, double size,
                     const HitSettings& settings, const Progress& progress) {
     const Eigen::Vector3i counts =
-        ((box.high - box.low) / cube).array().ceil().max(1.0).cast<int>().matrix();
+        ((box.high - box.low) / size).array().round().max(1.0).cast<int>().matrix();
     Coverage coverage;
-    coverage.cubes = counts.prod();
-    coverage.cube = cube;
+    coverage.cells = counts.prod();
+    coverage.cell = box.volume() / coverage.cells;
+    const Vector3d sides = (box.high - box.low).cwiseQuotient(counts.cast<double>());
     std::atomic<int> natural{0}, extended{0}, done{0};
-    forBlocks({0, coverage.cubes}, 8, [&](FrameRange block) {
+    forBlocks({0, coverage.cells}, 8, [&](FrameRange block) {
         for (int i = block.begin; i < block.end; ++i) {
             const Eigen::Vector3i at(i % counts.x(), i / counts.x() % counts.y(),
                                      i / (counts.x() * counts.y()));
-            const Vector3d target = box.low + cube * (at.cast<double>().array() + 0.5).matrix();
+            const Vector3d target =
+                box.low + sides.cwiseProduct((at.cast<double>().array() + 0.5).matrix());
             const HitSolution full = solveHit(space, target, HitMethod::Full, settings);
             const bool whole = full.error <= settings.tolerance;
             natural += whole;
@@ -70,7 +72,7 @@ Coverage coverageOf(const StrikeSpace& space, const Box& box, double cube,
                                      settings.tolerance;
         }
         done += block.size();
-        progress.update(static_cast<double>(done) / coverage.cubes);
+        progress.update(static_cast<double>(done) / coverage.cells);
     });
     coverage.natural = natural;
     coverage.extended = extended;

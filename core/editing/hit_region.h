@@ -12,18 +12,18 @@ Box extendedBox(const StrikeSpace& space, const HitSettings& settings = {}, doub
                 double most = 0.3, const Progress& progress = {});
 
 /// How much of a box is hit within the tolerance: by blends of whole examples (the natural region)
-/// and with partial blending (the extended one), counted in cubes of `cube` metres.
+/// and with partial blending (the extended one), counted in cells of about `size` metres a side.
 struct Coverage {
-    int cubes = 0;     ///< in the box
-    int natural = 0;   ///< cubes whose middle a whole blend hits
-    int extended = 0;  ///< cubes whose middle either way hits
-    double cube = 0;   ///< metres
+    int cells = 0;     ///< that the box is divided into
+    int natural = 0;   ///< cells whose middle a whole blend hits
+    int extended = 0;  ///< cells whose middle either way hits
+    double cell = 0;   ///< m³
 
-    double naturalVolume() const { return natural * cube * cube * cube; }    ///< m³
-    double extendedVolume() const { return extended * cube * cube * cube; }  ///< m³
+    double naturalVolume() const { return natural * cell; }    ///< m³
+    double extendedVolume() const { return extended * cell; }  ///< m³
 };
 /// On all cores. Cancellable.
-Coverage coverageOf(const StrikeSpace& space, const Box& box, double cube,
+Coverage coverageOf(const StrikeSpace& space, const Box& box, double size,
                     const HitSettings& settings = {}, const Progress& progress = {});
 
 }  // namespace kumite

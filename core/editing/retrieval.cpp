@@ -134,20 +134,21 @@ std::vector<Place> placesIn(std::span<const PoseBits> clip, int clipIndex, Frame
     std::vector<Place> places;
     const auto cost = [&](int frame) { return costs[static_cast<std::size_t>(frame - lead)]; };
     // Where enough places are cheap, dearer ones need no look.
-    std::array<std::size_t, 512> placesOfCost{};
+    static thread_local std::vector<std::size_t> placesOfCost;
+    placesOfCost.assign(query.keys() * kPoseBitCount + 2, 0);
     for (int f = piece.begin; f < piece.end; ++f) {
         if (f > piece.begin && cost(f) == cost(f - 1)) continue;
         ++placesOfCost[std::min<std::size_t>(cost(f), placesOfCost.size() - 1)];
     }
     std::size_t limit = 0;
-    for (std::size_t seen = placesOfCost[0]; seen < keep && limit + 1 < placesOfCost.size();)
+    for (std::size_t seen = placesOfCost[0]; seen < keep && limit + 2 < placesOfCost.size();)
         seen += placesOfCost[++limit];
     for (int f = piece.begin; f < piece.end;) {
         const Cost here = cost(f);
         int end = f + 1;
         while (end < piece.end && cost(end) == here)
             ++end;
-        if (here < kNever && (here <= limit || limit + 1 == placesOfCost.size())) {
+        if (here <= limit) {
             Place place{here, kNever, clipIndex, {f, end}, firstFrame};
             for (int last = f; last < end; ++last)
                 place.rigid = std::min(place.rigid, rigidCost(clip, query, firstFrame, last));
@@ -165,52 +166,58 @@ std::vector<Place> placesIn(std::span<const PoseBits> clip, int clipIndex, Frame
 
 /// The frames of one place's best match: least cost, then least change of timing.
 KeyMatch traced(std::span<const PoseBits> clip, const Place& place, const Query& query) {
+    // One number for both: whole costs, and far below one of them the change of timing.
+    constexpr double kWhole = 1 << 20;
+    constexpr double kUnset = std::numeric_limits<double>::infinity();
     struct Cell {
-        int cost = std::numeric_limits<int>::max();
-        double stretch = 0;
+        double value = kUnset;
         int from = -1;
-        bool betterThan(const Cell& other) const {
-            return std::tie(cost, stretch) < std::tie(other.cost, other.stretch);
-        }
     };
-    const int begin = std::max(place.firstFrame, place.last.begin - query.span);
-    const int count = place.last.end - begin;
-    std::vector<std::vector<Cell>> cells(query.keys(), std::vector<Cell>(std::size_t(count)));
-    const auto bitsAt = [&](int i) { return clip[static_cast<std::size_t>(begin + i)]; };
-    for (int i = 0; i < count; ++i)
-        cells[0][std::size_t(i)].cost = query.differing(0, bitsAt(i));
-    for (std::size_t k = 1; k < query.keys(); ++k) {
+    // Where each key may lie so that the last one lies in the place.
+    std::vector<FrameRange> ranges(query.keys(), place.last);
+    for (std::size_t k = query.keys() - 1; k > 0; --k) {
+        ranges[k - 1].begin = std::max(place.firstFrame, ranges[k].begin - query.gaps[k].most);
+        ranges[k - 1].end = std::max(ranges[k - 1].begin, ranges[k].end - query.gaps[k].least);
+    }
+    std::vector<std::vector<Cell>> cells(query.keys());
+    const auto cellAt = [&](std::size_t k, int frame) -> Cell& {
+        return cells[k][static_cast<std::size_t>(frame - ranges[k].begin)];
+    };
+    std::vector<double> stretch;
+    for (std::size_t k = 0; k < query.keys(); ++k) {
         const Gap& gap = query.gaps[k];
-        std::vector<double> stretch;
+        stretch.clear();
         for (int frames = gap.least; frames <= gap.most; ++frames)
-            stretch.push_back(std::abs(std::log(double(frames) / gap.wanted)));
-        for (int i = gap.least; i < count; ++i) {
-            Cell& cell = cells[k][std::size_t(i)];
-            for (int frames = gap.least; frames <= std::min(gap.most, i); ++frames) {
-                Cell next = cells[k - 1][std::size_t(i - frames)];
-                if (next.cost == std::numeric_limits<int>::max()) continue;
-                next.stretch += stretch[std::size_t(frames - gap.least)];
-                next.from = i - frames;
-                if (next.betterThan(cell)) cell = next;
+            stretch.push_back(std::abs(std::log(static_cast<double>(frames) / gap.wanted)));
+        cells[k].resize(static_cast<std::size_t>(ranges[k].size()));
+        for (int f = ranges[k].begin; f < ranges[k].end; ++f) {
+            Cell& cell = cellAt(k, f);
+            if (k == 0) cell.value = 0;
+            for (int frames = gap.least; k > 0 && frames <= gap.most; ++frames) {
+                if (!ranges[k - 1].contains(f - frames)) continue;
+                const double value = cellAt(k - 1, f - frames).value +
+                                     stretch[static_cast<std::size_t>(frames - gap.least)];
+                if (value < cell.value) cell = {value, f - frames};
             }
-            if (cell.from >= 0) cell.cost += query.differing(k, bitsAt(i));
+            cell.value += kWhole * query.differing(k, clip[static_cast<std::size_t>(f)]);
         }
     }
     // Of equally good ends the middle one: the outer ones are where a feature is about to change.
     std::vector<int> ends;
-    for (int i = place.last.begin - begin; i < count; ++i) {
-        const Cell& cell = cells.back()[std::size_t(i)];
-        if (!ends.empty() && cell.betterThan(cells.back()[std::size_t(ends.front())])) ends.clear();
-        if (ends.empty() || !cells.back()[std::size_t(ends.front())].betterThan(cell))
-            ends.push_back(i);
+    for (int f = place.last.begin; f < place.last.end; ++f) {
+        const double value = cellAt(query.keys() - 1, f).value;
+        const double best = ends.empty() ? kUnset : cellAt(query.keys() - 1, ends.front()).value;
+        if (value < best) ends.clear();
+        if (value <= best) ends.push_back(f);
     }
     int at = ends[ends.size() / 2];
-    const Cell& best = cells.back()[std::size_t(at)];
-    KeyMatch match{place.clip, std::vector<int>(query.keys()), best.cost, best.stretch};
+    const double value = cellAt(query.keys() - 1, at).value;
+    KeyMatch match{place.clip, std::vector<int>(query.keys()), static_cast<int>(value / kWhole),
+                   std::fmod(value, kWhole)};
     if (query.keys() > 1) match.stretch /= static_cast<double>(query.keys() - 1);
     for (std::size_t k = query.keys(); k-- > 0;) {
-        match.frames[k] = begin + at;
-        at = cells[k][std::size_t(at)].from;
+        match.frames[k] = at;
+        at = cellAt(k, at).from;
     }
     return match;
 }

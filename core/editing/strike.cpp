@@ -95,6 +95,8 @@ std::optional<StrikeMoment> strikeIn(const Clip& clip, FrameRange range, Striker
     const std::vector<double>& away = reach->away();
     const double top = away[static_cast<std::size_t>(hit)];
     const int margin = static_cast<int>(std::lround(0.1 * clip.rate));
+    constexpr double kLongest = 1.2;  // seconds on either side
+    const int longest = static_cast<int>(std::lround(kLongest * clip.rate));
     const auto edge = [&](int step, int end) {
         double nearest = top;
         for (int i = hit; i != end; i += step)
@@ -105,8 +107,8 @@ std::optional<StrikeMoment> strikeIn(const Clip& clip, FrameRange range, Striker
             i += step;
         return i + step * margin;
     };
-    const int begin = std::max(0, edge(-1, -1));
-    const int end = std::min(count - 1, edge(1, count)) + 1;
+    const int begin = std::max({0, hit - longest, edge(-1, -1)});
+    const int end = std::min({count - 1, hit + longest, edge(1, count)}) + 1;
     return StrikeMoment{{range.begin + begin, range.begin + end}, range.begin + hit};
 }
 
@@ -153,6 +155,10 @@ std::vector<StrikeMoment> findStrikes(const Clip& clip, Striker striker, double 
         // A foot that goes straight up jumps or steps.
         constexpr double kOut = 0.4;
         if (isKick(striker) && reach->out[static_cast<std::size_t>(moment->hit)] < kOut) continue;
+        constexpr double kSlowest = 1.5;  // m/s: what is slower reaches or rests
+        const auto speed = reach->speed.begin();
+        if (*std::max_element(speed + moment->frames.begin, speed + moment->hit + 1) < kSlowest)
+            continue;
         moments.push_back(*moment);
     }
     return moments;

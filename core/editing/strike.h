@@ -36,13 +36,13 @@ struct StrikeMoment {
 /// its shoulder or hip, among those in which it is at least 80 % as far out from the pelvis,
 /// horizontally, as it ever is, and a foot at least half as high. `frames` is `range` without what
 /// is still before and after: from a tenth of a second before the limb leaves its rest (a hand goes
-/// out, a foot up) to a tenth after it is back. Nothing if the range has fewer than three frames or
-/// the rig no such limb.
+/// out, a foot up) to a tenth after it is back, at most 1.2 s on either side of the hit. Nothing if
+/// the range has fewer than three frames or the rig no such limb.
 std::optional<StrikeMoment> strikeIn(const Clip& clip, FrameRange range, Striker striker);
 
 /// The strikes of an unlabelled recording: every time that a hand goes out from the pelvis by
 /// `least` metres or more, horizontally, and comes back; that a foot goes up as much and is 40 cm
-/// from the pelvis, horizontally, at full stretch.
+/// from the pelvis, horizontally, at full stretch; at 1.5 m/s against the pelvis or faster.
 std::vector<StrikeMoment> findStrikes(const Clip& clip, Striker striker, double least = 0.25);
 
 /// The limb that strikes in a clip: the one whose striking joint gets fastest against the pelvis.

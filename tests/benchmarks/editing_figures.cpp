@@ -235,7 +235,7 @@ void curves(const std::filesystem::path& folder) {
 }
 
 void coverage() {
-    constexpr double kCube = 0.06;
+    constexpr double kCell = 0.06;
     std::cout << fmt::format("{:<30} {:>10} {:>12} {:>12} {:>7} {:>9}\n", "set", "box l",
                              "natural l", "extended l", "factor", "seconds");
     for (const StrikeSet& set : madeSets()) {
@@ -244,7 +244,7 @@ void coverage() {
         Coverage c;
         const double seconds = timed([&] {
             box = extendedBox(space);
-            c = coverageOf(space, box, kCube);
+            c = coverageOf(space, box, kCell);
         });
         std::cout << fmt::format("{:<30} {:>10.1f} {:>12.1f} {:>12.1f} {:>7.1f} {:>9.1f}\n",
                                  set.name, 1000 * box.volume(), 1000 * c.naturalVolume(),
@@ -479,6 +479,78 @@ FilmRow rowOf(const Clip& clip, std::string title, int pictures,
     return row;
 }
 
+/// The library without the stretch of a motion that the keys come from: what is before and after it
+/// stays, as motions of their own.
+KeyLibrary withoutStretch(const MotionLibrary& all, std::size_t motion, FrameRange stretch) {
+    auto rest = std::make_shared<MotionLibrary>(all);
+    rest->actions.clear();
+    const LibraryMotion whole = rest->motions[motion];
+    rest->motions.erase(rest->motions.begin() + static_cast<std::ptrdiff_t>(motion));
+    for (const FrameRange& range :
+         {FrameRange{0, stretch.begin}, FrameRange{stretch.end, whole.clip.frameCount()}}) {
+        if (range.size() < 2) continue;
+        LibraryMotion piece = whole;
+        piece.name += fmt::format("@{}:{}", range.begin, range.end);
+        piece.clip.frames.assign(whole.clip.frames.begin() + range.begin,
+                                 whole.clip.frames.begin() + range.end);
+        piece.standing.assign(whole.standing.begin() + range.begin,
+                              whole.standing.begin() + range.end);
+        rest->motions.push_back(std::move(piece));
+    }
+    return keyLibrary(rest);
+}
+
+/// Five keys of a stretch of a motion, answered by the rest of the library (paper C, Figs. 12, 13).
+void keyStrip(const std::filesystem::path& file, const MotionLibrary& library, std::size_t m,
+              int begin, int apart) {
+    const LibraryMotion& motion = library.motions[m];
+    const KeyLibrary rest = withoutStretch(library, m, {begin, begin + 4 * apart + 1});
+    const KeyTrack track = keysOf(motion, begin, apart);
+    const AssemblyPlan plan = planAssembly(rest, track);
+    AssemblyPlan whole = plan;
+    for (auto& part : whole.parts)
+        part.reset();
+    AssemblySettings settings;
+    const Clip query = clipOf(track);
+    const Clip retrieved = assemble(rest, track, whole, settings).clip;
+    const Clip adjusted = assemble(rest, track, plan, settings).clip;
+    settings.meetKeys = 1;
+    const Clip met = assemble(rest, track, plan, settings).clip;
+    settings.meetKeys = 0;
+    settings.adjusted = false;
+    const Clip direct = assemble(rest, track, plan, settings).clip;
+    std::string from =
+        fmt::format("{} ({} of 90 features differ)", rest.motion(plan.body.match.clip).name,
+                    plan.body.match.mismatches);
+    for (const BodyPart part : allParts()) {
+        const auto& own = plan.parts[static_cast<std::size_t>(part)];
+        if (own)
+            from += fmt::format(", {} {} ({})", partName(part), rest.motion(own->match.clip).name,
+                                own->match.mismatches);
+    }
+    write(file, fmt::format("{} {}: {}", motion.name, begin, from),
+          {rowOf(query, "query", 9), rowOf(retrieved, "retrieved", 9),
+           rowOf(direct, "assembled, direct", 9), rowOf(adjusted, "assembled, adjusted", 9),
+           rowOf(met, "adjusted, drawn to the keys", 9)});
+}
+
+/// A punch of the boxer, one of the karateka, and two steps of the walk.
+void keyStrips(const std::filesystem::path& folder) {
+    const auto library = realLibrary();
+    for (std::size_t m = 0; m < library->motions.size(); ++m) {
+        const LibraryMotion& motion = library->motions[m];
+        if (motion.name.starts_with("walk")) {
+            keyStrip(folder / "keys_walk.svg", *library, m, 110, 20);
+        } else if (motion.name == "Boxing_Toes" || motion.name == "02_05") {
+            const auto strikes = findStrikes(motion.clip, Striker::RightHand);
+            if (strikes.size() < 3) continue;
+            const FrameRange frames = strikes[2].frames;
+            keyStrip(folder / fmt::format("keys_punch_{}.svg", motion.name), *library, m,
+                     frames.begin, std::max(1, (frames.size() - 1) / 4));
+        }
+    }
+}
+
 void strips(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     std::vector<StrikeSet> sets = madeSets();
@@ -508,42 +580,7 @@ void strips(const std::filesystem::path& folder) {
             name.begin(), name.end(), [](char c) { return c == ' ' || c == ':'; }, '_');
         write(folder / ("hit_" + name + ".svg"), set.name, rows);
     }
-    const auto library = realLibrary();
-    for (const auto& [name, begin, apart] :
-         {std::tuple("Boxing_Toes", 300, 10), std::tuple("walk_left_45_UPPERCASE_channels", 20, 20),
-          std::tuple("martial_04", 200, 15)}) {
-        for (std::size_t m = 0; m < library->motions.size(); ++m) {
-            const LibraryMotion& motion = library->motions[m];
-            if (motion.name != name) continue;
-            const KeyLibrary rest = withoutMotion(*library, m);
-            const KeyTrack track = keysOf(motion, begin, apart);
-            const AssemblyPlan plan = planAssembly(rest, track);
-            AssemblyPlan whole = plan;
-            for (auto& part : whole.parts)
-                part.reset();
-            AssemblySettings settings;
-            const Clip query = clipOf(track);
-            const Clip retrieved = assemble(rest, track, whole, settings).clip;
-            const Clip adjusted = assemble(rest, track, plan, settings).clip;
-            settings.meetKeys = 1;
-            const Clip met = assemble(rest, track, plan, settings).clip;
-            settings.meetKeys = 0;
-            settings.adjusted = false;
-            const Clip direct = assemble(rest, track, plan, settings).clip;
-            std::string from = rest.motion(plan.body.match.clip).name;
-            for (const BodyPart part : allParts()) {
-                const auto& own = plan.parts[static_cast<std::size_t>(part)];
-                if (own)
-                    from +=
-                        fmt::format(", {} {}", partName(part), rest.motion(own->match.clip).name);
-            }
-            write(folder / (std::string("keys_") + name + ".svg"),
-                  fmt::format("five keys of {}: {}", name, from),
-                  {rowOf(query, "query", 9), rowOf(retrieved, "retrieved", 9),
-                   rowOf(direct, "assembled, direct", 9), rowOf(adjusted, "assembled, adjusted", 9),
-                   rowOf(met, "adjusted, drawn to the keys", 9)});
-        }
-    }
+    keyStrips(folder);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // kumite hit and kumite keyframes on a short demo bout.
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -116,6 +117,24 @@ TEST_F(EditingCommands, AnUnreachableTargetIsSaid) {
     EXPECT_GT(hit["error_cm"].get<double>(), 500);
     EXPECT_GT(pointOf(hit["reached"]).z(), 0.4) << "it reaches out all the same";
     EXPECT_FALSE(test::readText(out).empty());
+}
+
+TEST_F(EditingCommands, AStrikeAtATargetIsABlockOfASequence) {
+    const auto hit = json({"hit", project, "--strike", "right_punch", "--player", "1", "--target",
+                           "0,1.2,0.7", "--out", path("hit.bvh"), "--json"});
+    const std::string name = hit["examples"][0]["name"];
+    const Vector3d point = pointOf(hit["examples"][0]["point"]);
+    const std::string at = "@" + std::to_string(point.x()) + "," + std::to_string(point.y()) + "," +
+                           std::to_string(point.z());
+    const auto made = json({"sequence", project, "--play", "demo:1:2", name + at, "demo:1:4",
+                            "--out", path("sequence.bvh"), "--json"});
+    EXPECT_TRUE(std::any_of(made["pieces"].begin(), made["pieces"].end(),
+                            [&](const auto& piece) { return piece["clip"] == name + at; }));
+    EXPECT_EQ(Written(path("sequence.bvh")).motion->frameCount, made["frames"].get<int>());
+    const Result far = kumite({"sequence", project, "--play", "demo:1:2", name + "@0,1,9", "--out",
+                               path("sequence.bvh")});
+    EXPECT_EQ(far.code, 1);
+    EXPECT_NE(far.err.find("cannot be reached: the nearest"), std::string::npos) << far.err;
 }
 
 TEST_F(EditingCommands, HitFindsTheStrikesOfAnUnlabelledFile) {

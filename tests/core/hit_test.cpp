@@ -154,10 +154,10 @@ TEST(HitRegion, TheExtendedOneHoldsTheNaturalOne) {
     EXPECT_TRUE(box.contains(space.natural.low));
     EXPECT_TRUE(box.contains(space.natural.high));
     const Coverage coverage = coverageOf(space, space.natural, 0.15);
-    EXPECT_GT(coverage.cubes, 4);
+    EXPECT_GT(coverage.cells, 4);
     EXPECT_GE(coverage.extended, coverage.natural);
-    EXPECT_GT(coverage.extended, coverage.cubes / 3);
-    EXPECT_LE(coverage.extended, coverage.cubes);
+    EXPECT_GT(coverage.extended, coverage.cells / 3);
+    EXPECT_LE(coverage.extended, coverage.cells);
 }
 
 }  // namespace
