@@ -18,6 +18,7 @@ constexpr std::uint64_t kStartStream = 2;  ///< players draw from streams 0 and 
 constexpr int kLookAhead = 10;             ///< frames planned, the one to show with them
 /// Frames after which a body has to be out of the other's way.
 constexpr std::size_t kForesight = 8;
+constexpr std::size_t kLimbForesight = 4;  ///< and a hand or a foot
 
 /// Nodes of a player whose label holds what a spelled label says.
 std::vector<int> nodesHolding(const BoutLibrary& library, int player, const std::string& words) {
@@ -239,11 +240,13 @@ void Bout::fill(int player) {
 
 void Bout::show() {
     if (settings_.separation) {
-        const auto later = [&](int player) {
+        const auto later = [&](int player, std::size_t frames) {
             const std::vector<Pose>& ahead = of(player).ahead;
-            return &ahead[std::min<std::size_t>(kForesight, ahead.size() - 1)];
+            return &ahead[std::min(frames, ahead.size() - 1)];
         };
-        separation_.foresee({later(0), later(1)});
+        separation_.foresee({later(0, kForesight), later(1, kForesight)},
+                            {later(0, kLimbForesight), later(1, kLimbForesight)},
+                            {of(0).standing.front(), of(1).standing.front()});
     }
     for (const int player : {0, 1}) {
         FighterState& fighter = of(player);

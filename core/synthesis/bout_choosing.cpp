@@ -11,7 +11,9 @@ namespace {
 /// How long after its moment an action still counts as something to answer, seconds.
 constexpr double kLatestAnswer = 0.25;
 /// How far a target may bend the way of an action, metres.
-constexpr double kMostSteering = 0.35;
+constexpr double kMostSteering = 0.2;
+/// A target nearer to the other one's pelvis is taken as this far from it, metres.
+constexpr double kLeastDistance = 0.8;
 /// A join takes as long as keeps what it adds below this acceleration, rad/s².
 constexpr double kJoinAcceleration = 90;
 /// Moments that would miss each other by more are not brought together, seconds.
@@ -112,6 +114,19 @@ ChoiceRules Bout::rulesFor(int player, const Playing& own, const Playing& oppone
     return rules;
 }
 
+/// The target, but not where the other one stands.
+Eigen::Vector2d Bout::reachableTarget() const {
+    const int other = 1 - settings_.avatar;
+    const Eigen::Vector2d theirs = stationOf(of(other).playing, other, of(other).playing.at).root;
+    const Eigen::Vector2d way = *target_ - theirs;
+    if (way.norm() >= kLeastDistance) return *target_;
+    const Eigen::Vector2d mine =
+        stationOf(of(settings_.avatar).playing, settings_.avatar, of(settings_.avatar).playing.at)
+            .root;
+    const Eigen::Vector2d side = way.norm() > 0.05 ? way : Eigen::Vector2d(mine - theirs);
+    return theirs + kLeastDistance * side.stableNormalized();
+}
+
 void Bout::choose(int player, const std::array<Playing, 2>& before) {
     FighterState& fighter = of(player);
     const Playing own = before[static_cast<std::size_t>(player)];
@@ -136,7 +151,7 @@ void Bout::choose(int player, const std::array<Playing, 2>& before) {
     if (target_ && player == settings_.avatar) {
         model = &*library_->fighter(player).avatarModel;
         known.conservativeResize(known.size() + 2);
-        known.tail<2>() = ground.toLocal(*target_);
+        known.tail<2>() = ground.toLocal(reachableTarget());
         choice.steered = true;
     }
     bool commanded = false;
@@ -248,7 +263,7 @@ void Bout::begin(int player, BoutChoice choice) {
     if (choice.steered) {
         const int at =
             std::min(next.total, static_cast<int>(std::lround(kTargetSeconds * library_->rate)));
-        Eigen::Vector2d shift = *target_ - stationOf(next, player, at).root;
+        Eigen::Vector2d shift = reachableTarget() - stationOf(next, player, at).root;
         if (shift.norm() > kMostSteering) shift *= kMostSteering / shift.norm();
         next.placement.steer(shift, 0, next.time.sourceAt(at) / action.frames);
     }
