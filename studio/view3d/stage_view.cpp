@@ -326,7 +326,7 @@ void StageView::showCaption() {
     text += tr("   ·   left limbs lighter");
     if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
     if (isMeasuring()) text = measuringHint_;
-    scene_->caption->setText(text);
+    caption_ = text;
     placeOverlays();
 }
 
@@ -339,6 +339,7 @@ void StageView::placeOverlays() {
     scene_->canvas->setGeometry(rect());
     scene_->labels->setGeometry(rect());
     QLabel* caption = scene_->caption;
+    caption->setText(caption->fontMetrics().elidedText(caption_, Qt::ElideRight, width() - 24));
     caption->adjustSize();
     caption->move(12, height() - caption->height() - 8);
     if (tools_ == nullptr) return;
