@@ -23,6 +23,7 @@ double secondsSince(Clock::time_point start) {
 struct Figures {
     std::size_t frames = 0;
     std::optional<PathSummary> paths;
+    double thresholdSeconds = 0;
     double clusteringSeconds = 0;
     double pathSeconds = 0;
 };
@@ -40,7 +41,10 @@ Json toJson(const FlexibleGraph& graph, const Figures& figures) {
                  {"path_limit", graph.paths.limit},
                  {"pairs_with_path", nullptr},
                  {"paths", nullptr},
-                 {"seconds", {{"clustering", figures.clusteringSeconds}, {"paths", nullptr}}}};
+                 {"seconds",
+                  {{"threshold", figures.thresholdSeconds},
+                   {"clustering", figures.clusteringSeconds},
+                   {"paths", nullptr}}}};
     if (figures.paths) {
         json["pairs_with_path"] = figures.paths->share();
         json["paths"] = figures.paths->paths;
@@ -90,8 +94,15 @@ void addClusters(CLI::App& app, Action& action) {
             Figures figures;
             for (const LibraryMotion& motion : library->motions)
                 figures.frames += motion.clip.frames.size();
+            const auto thresholdStart = Clock::now();
+            FlexibleGraphSettings settings;
+            settings.threshold = o->graph.threshold;
+            GraphOptions options = o->graph;
+            options.threshold = clusterThreshold(*library, PoseMetric(*library->rig), settings,
+                                                 streams.progress("choosing the threshold"));
+            figures.thresholdSeconds = secondsSince(thresholdStart);
             const auto start = Clock::now();
-            const auto graph = openGraph(library, o->graph, streams);
+            const auto graph = openGraph(library, options, streams);
             figures.clusteringSeconds = secondsSince(start);
             if (graph->graph.nodeCount <= kMostForAllPairs) {
                 const auto pathStart = Clock::now();

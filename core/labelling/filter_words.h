@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -32,6 +33,11 @@ inline constexpr std::array kFilterParts = {"by hand",
                                             "at 0:30",
                                             "longer than 1 s",
                                             "shorter than 0.3 s"};
+
+template <typename List>
+bool contains(const List& list, std::string_view word) {
+    return std::find(list.begin(), list.end(), word) != list.end();
+}
 
 /// Words of a filter in small letters; "right_punch:fwd+jump:up" counts as "right punch fwd, jump
 /// up"; what stands in quotes is one word.

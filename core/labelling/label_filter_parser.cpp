@@ -33,11 +33,6 @@ constexpr std::array kSkipped = {std::string_view("and"), std::string_view("with
                                  std::string_view("the"), std::string_view("by"),
                                  std::string_view("is"),  std::string_view("confidence")};
 template <typename List>
-bool contains(const List& list, std::string_view word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
-
-template <typename List>
 std::optional<std::string_view> meaning(const List& list, std::string_view word) {
     for (const Synonym& each : list) {
         if (each.typed == word) return each.meant;

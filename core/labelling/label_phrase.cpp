@@ -15,11 +15,6 @@ constexpr std::array kNoneWords = {std::string_view("none"), std::string_view("o
 constexpr std::array kOpenWords = {std::string_view("open"), std::string_view("unknown"),
                                    std::string_view("?")};
 
-template <typename List>
-bool contains(const List& list, std::string_view word) {
-    return std::find(list.begin(), list.end(), word) != list.end();
-}
-
 Words wordsOfBoth(const std::string& name, const std::string& id) {
     Words words = wordsOf(name);
     for (std::string& word : wordsOf(id))

@@ -20,17 +20,20 @@ PointSource pointsOf(const MotionLibrary& library, const PoseMetric& metric) {
     return source;
 }
 
+double clusterThreshold(const MotionLibrary& library, const PoseMetric& metric,
+                        const FlexibleGraphSettings& settings, const Progress& progress) {
+    if (settings.threshold) return *settings.threshold;
+    const double found = thresholdFor(pointsOf(library, metric),
+                                      settings.secondsPerCluster * library.rate, progress);
+    return found > 0 ? found : 1;  // where nothing differs any threshold gives one cluster
+}
+
 std::shared_ptr<const FlexibleGraph> buildFlexibleGraph(
     std::shared_ptr<const MotionLibrary> library, const FlexibleGraphSettings& settings,
     const Progress& progress) {
     const PoseMetric metric(*library->rig, settings.metric);
     const PointSource source = pointsOf(*library, metric);
-    double threshold = settings.threshold.value_or(0);
-    if (!settings.threshold) {
-        threshold =
-            thresholdFor(source, settings.secondsPerCluster * library->rate, progress.part(0, 0.5));
-        if (threshold == 0) threshold = 1;  // nothing differs: any threshold gives one cluster
-    }
+    const double threshold = clusterThreshold(*library, metric, settings, progress.part(0, 0.5));
     PoseClusters clusters = clusterPoses(source, threshold, progress.part(0.5, 0.9));
     TransitionGraph graph = buildTransitionGraph(clusters, settings.undirected);
     const PathSettings paths{settings.pathsPerPair, pathLimit(graph, settings.longestPath)};

@@ -39,6 +39,10 @@ struct FlexibleGraph {
 /// The frames of a library as points, for clustering; both must outlive it.
 PointSource pointsOf(const MotionLibrary& library, const PoseMetric& metric);
 
+/// The threshold that the settings name, or the one that they lead to.
+double clusterThreshold(const MotionLibrary& library, const PoseMetric& metric,
+                        const FlexibleGraphSettings& settings, const Progress& progress = {});
+
 /// Clusters, graph and the limit of paths. A library without any difference between frames gets
 /// one cluster; without frames none. Throws Error, Cancelled.
 std::shared_ptr<const FlexibleGraph> buildFlexibleGraph(

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kSampledFrames = 20000;
 constexpr int kStretch = 200;  ///< frames of a sample that follow each other
-constexpr int kBisections = 12;
+constexpr int kSteps = 12;
 constexpr double kCloseEnough = 0.02;  ///< of the wished number of clusters
 
 /// Calls `use(motion, points)` for every motion.
@@ -130,16 +130,24 @@ double thresholdFor(const PointSource& source, double framesPerCluster, const Pr
     if (farthest == 0) return 0;
     const double wished =
         std::max(1.0, static_cast<double>(sample.frameCount()) / framesPerCluster);
-    // Above `high` there is one cluster; the number falls as the threshold grows.
+    // At `high` there is one cluster; the number falls as the threshold grows, about like a power
+    // of it, which tells where to look next. From above, because few clusters are quickly counted.
     double low = farthest / 1024, high = farthest;
-    for (int i = 0; i < kBisections; ++i) {
-        const Progress step = progress.part(0.3 + 0.7 * i / kBisections, 1);
-        const double middle = std::sqrt(low * high);
-        const int count = firstPass(sample, middle, step).count();
-        if (std::abs(count - wished) <= kCloseEnough * wished) return middle;
-        (count > wished ? low : high) = middle;
+    double threshold = farthest / 4, power = 3;
+    double before = high, countBefore = 1;
+    for (int i = 0; i < kSteps; ++i) {
+        const Progress step = progress.part(0.3 + 0.7 * i / kSteps, 1);
+        const int count = firstPass(sample, threshold, step).count();
+        if (std::abs(count - wished) <= kCloseEnough * wished) return threshold;
+        (count > wished ? low : high) = threshold;
+        const double slope = std::log(count / countBefore) / std::log(before / threshold);
+        if (slope > 1 && slope < 8) power = slope;
+        before = threshold;
+        countBefore = count;
+        threshold *= std::pow(count / wished, 1 / power);
+        if (!(threshold > low && threshold < high)) threshold = std::sqrt(low * high);
     }
-    return std::sqrt(low * high);
+    return threshold;
 }
 
 }  // namespace kumite

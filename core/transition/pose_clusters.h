@@ -53,7 +53,7 @@ PoseClusters clusterPoses(const PointSource& source, double threshold,
                           const Progress& progress = {});
 
 /// The threshold at which the mean cluster holds about `framesPerCluster` frames (method B: 0.75 s
-/// of them). Sought by bisection on at most 20 000 frames, stretches spread over the library, so
+/// of them). Sought on at most 20 000 frames, stretches spread over the library, so
 /// that a larger library is cut no finer than what it repeats. 0 if there are fewer than two
 /// different frames.
 double thresholdFor(const PointSource& source, double framesPerCluster,

@@ -4,9 +4,8 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <vector>
 
 #include "studio/timeline/level_of_detail.h"
@@ -32,21 +31,11 @@ double relativeLuminance(const QColor& colour) {
 
 /// What must not vanish under another cell of the same pixel.
 int weightOf(const LaneCell& cell) {
-    switch (cell.look) {
-        case LaneLook::Open:
-            return 0;
-        case LaneLook::Nothing:
-            return cell.byHand ? 2 : 1;
-        case LaneLook::Rule:
-            return 3;
-        case LaneLook::Proposed:
-            return cell.uncertain ? 5 : 4;
-        case LaneLook::Accepted:
-            return 6;
-        case LaneLook::Hand:
-            return 7;
-    }
-    return 0;
+    constexpr int kWeights[] = {0, 1, 7, 6, 4, 3};  // Open, Nothing, Hand, Accepted, Proposed, Rule
+    const int more = cell.look == LaneLook::Nothing    ? cell.byHand
+                     : cell.look == LaneLook::Proposed ? cell.uncertain
+                                                       : 0;
+    return kWeights[static_cast<std::size_t>(cell.look)] + more;
 }
 
 /// Paints the lanes of one row.
@@ -103,6 +92,7 @@ private:
     /// In what a kind of cell is painted. There are few kinds and thousands of cells.
     struct Ink {
         QColor colour, fill, outline, letters;
+        QRgb narrow = 0;  ///< where there is room for neither hatching nor outline
         QString text;
     };
 
@@ -111,33 +101,41 @@ private:
         if (narrow_.isNull()) {
             narrow_ = QImage(area_.size(), QImage::Format_ARGB32_Premultiplied);
             narrow_.fill(Qt::transparent);
+            bits_ = reinterpret_cast<QRgb*>(narrow_.bits());
         }
-        QRect part = block;
-        QColor colour;
-        if (cell.look == LaneLook::Nothing) {
-            const double share = cell.byHand ? 1.0 : cell.uncertain ? 0.25 : 0.45;
-            colour = mixed(colours_.ground, colours_.secondText, share);
-            part.setTop(block.center().y());
-            part.setHeight(cell.byHand ? 2 : 1);
-        } else {
-            const Ink& ink = inkOf(lane, cell);
-            // As dark as hatching or an outline is.
-            colour = cell.uncertain || cell.look == LaneLook::Rule
-                         ? mixed(colours_.ground, ink.colour, 0.35)
-                         : ink.fill;
-        }
-        part = part.translated(-area_.topLeft()) & narrow_.rect();
-        for (int y = part.top(); y <= part.bottom(); ++y) {
-            auto* pixels = reinterpret_cast<QRgb*>(narrow_.scanLine(y));
-            std::fill_n(pixels + part.left(), part.width(), colour.rgb());
+        const bool nothing = cell.look == LaneLook::Nothing;
+        const int left = std::max(0, block.left() - area_.left());
+        const int width = std::min(block.right() - area_.left() + 1, narrow_.width()) - left;
+        const int top = (nothing ? block.center().y() : block.top()) - area_.top();
+        const int height = nothing ? (cell.byHand ? 2 : 1) : block.height();
+        const QRgb colour = inkOf(lane, cell).narrow;
+        for (int y = std::max(0, top); y < std::min(top + height, narrow_.height()); ++y) {
+            QRgb* row = bits_ + y * (narrow_.bytesPerLine() / qsizetype(sizeof(QRgb)));
+            for (int x = left; x < left + width; ++x)
+                row[x] = colour;
         }
     }
 
     const Ink& inkOf(int lane, const LaneCell& cell) {
-        const auto [place, isNew] =
-            inks_.try_emplace({lane, int(cell.value), int(cell.look), int(cell.uncertain)});
-        Ink& ink = place->second;
-        if (!isNew) return ink;
+        constexpr int kLooks = 6;
+        const auto row = static_cast<std::size_t>(lane);
+        if (row >= inks_.size()) inks_.resize(row + 1);
+        const auto index =
+            static_cast<std::size_t>((std::max<int>(cell.value, 0) * kLooks + int(cell.look)) * 4 +
+                                     2 * int(cell.uncertain) + int(cell.byHand));
+        std::vector<std::optional<Ink>>& inks = inks_[row];
+        if (index >= inks.size()) inks.resize(index + 1);
+        if (!inks[index]) inks[index] = makeInk(lane, cell);
+        return *inks[index];
+    }
+
+    Ink makeInk(int lane, const LaneCell& cell) const {
+        Ink ink;
+        if (cell.look == LaneLook::Nothing) {
+            const double share = cell.byHand ? 1.0 : cell.uncertain ? 0.25 : 0.45;
+            ink.narrow = mixed(colours_.ground, colours_.secondText, share).rgb();
+            return ink;
+        }
         ink.colour = classColour(lanes_.valueColour(lane, cell.value), colours_);
         const double share = cell.look == LaneLook::Hand       ? 1.0
                              : cell.look == LaneLook::Accepted ? 0.62
@@ -149,6 +147,9 @@ private:
         const QColor light("#f6f6f7");
         ink.letters = contrastOf(dark, ink.fill) > contrastOf(light, ink.fill) ? dark : light;
         ink.text = lanes_.valueText(lane, cell.value);
+        // As dark as hatching or an outline is.
+        const bool thin = cell.uncertain || cell.look == LaneLook::Rule;
+        ink.narrow = (thin ? mixed(colours_.ground, ink.colour, 0.35) : ink.fill).rgb();
         return ink;
     }
 
@@ -157,7 +158,8 @@ private:
     const Colours& colours_;
     QRect area_;
     QImage narrow_;
-    std::map<std::array<int, 4>, Ink> inks_;
+    QRgb* bits_ = nullptr;                               ///< of `narrow_`
+    std::vector<std::vector<std::optional<Ink>>> inks_;  ///< by lane and kind
 };
 
 /// Of several lanes the one that is shown where there is room for one; with its cell.

@@ -65,6 +65,7 @@ TEST_F(SequenceCommands, ClustersSayWhatWasFound) {
     EXPECT_GE(report["clips"], report["clusters"]);
     EXPECT_GT(report["edges"], 0);
     EXPECT_GT(report["pairs_with_path"], 0);
+    EXPECT_GE(report["seconds"]["threshold"], 0);
     EXPECT_GE(report["seconds"]["clustering"], 0);
     EXPECT_GE(report["seconds"]["paths"], 0);
     const auto coarse = json({"clusters", lib(), "--threshold", "50"});
