@@ -326,7 +326,7 @@ void StageView::showCaption() {
     text += tr("   ·   left limbs lighter");
     if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
     if (isMeasuring()) text = measuringHint_;
-    scene_->caption->setText(text);
+    caption_ = text;
     placeOverlays();
 }
 
@@ -339,8 +339,12 @@ void StageView::placeOverlays() {
     scene_->canvas->setGeometry(rect());
     scene_->labels->setGeometry(rect());
     QLabel* caption = scene_->caption;
+<<<<<<< HEAD
     const int room = width() - 24;
     caption->setWordWrap(false);
+=======
+    caption->setText(caption->fontMetrics().elidedText(caption_, Qt::ElideRight, width() - 24));
+>>>>>>> 93bf5e4d5e33af21bdba2afb1321e8c0f13122e9
     caption->adjustSize();
     if (caption->width() > room) {
         // A narrow view: in two lines.
