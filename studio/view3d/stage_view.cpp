@@ -339,12 +339,9 @@ void StageView::placeOverlays() {
     scene_->canvas->setGeometry(rect());
     scene_->labels->setGeometry(rect());
     QLabel* caption = scene_->caption;
-<<<<<<< HEAD
     const int room = width() - 24;
     caption->setWordWrap(false);
-=======
-    caption->setText(caption->fontMetrics().elidedText(caption_, Qt::ElideRight, width() - 24));
->>>>>>> 93bf5e4d5e33af21bdba2afb1321e8c0f13122e9
+    caption->setText(caption_);
     caption->adjustSize();
     if (caption->width() > room) {
         // A narrow view: in two lines.
