@@ -10,6 +10,7 @@
 #include "core/cli/command.h"
 #include "core/formats/bvh.h"
 #include "core/project/bout.h"
+#include "core/project/bout_strips.h"
 #include "core/project/kept_bout.h"
 #include "core/synthesis/bout_quality.h"
 
@@ -19,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string project, mode = "auto", out, script, attack;
+    std::string project, mode = "auto", out, script, attack, strips;
     double seconds = 30;
     std::uint64_t seed = 1;
     double temperature = 1;
@@ -146,6 +147,7 @@ void runBout(const Options& o, const Streams& streams) {
                             bvhText(motions[p], motions[p].frames(), motions[p].frameTime));
     }
     writeFileAtomically(folder / "log.json", boutLog(tape));
+    if (!o.strips.empty()) writeFileAtomically(o.strips, boutStripsSvg(tape));
 
     const RecordingQuality recording = recordingQuality(*prepared.library);
     const Quality quality = boutQuality(tape, recording.bar, streams.progress("judging"));
@@ -193,6 +195,8 @@ void addBout(CLI::App& app, Action& action) {
         ->check(CLI::Range(1, 2));
     command->add_option("--attack", o->attack,
                         "TAKE:A:B, the frames of the attack; else the busiest ten seconds");
+    command->add_option("--strips", o->strips,
+                        "an .svg: synthesised actions beside the recorded ones they are made from");
     command->add_flag("--json", o->json, "one JSON object on standard output");
     command->footer(
         "A script: {\"kumite_script\": 1, \"commands\": [COMMAND…]}, each COMMAND with \"at\" "

@@ -122,6 +122,7 @@ private:
                                   const GroundFrame& ground) const;
     ChoiceRules rulesFor(int player, const Playing& own, const Playing& opponent,
                          bool* commanded) const;
+    Eigen::Vector2d reachableTarget() const;
     void choose(int player, const std::array<Playing, 2>& before);
     void begin(int player, BoutChoice choice);
     std::optional<Coupling> couple(int player, Playing& own);

@@ -11,7 +11,9 @@ namespace {
 /// How long after its moment an action still counts as something to answer, seconds.
 constexpr double kLatestAnswer = 0.25;
 /// How far a target may bend the way of an action, metres.
-constexpr double kMostSteering = 0.35;
+constexpr double kMostSteering = 0.2;
+/// A target nearer to the other one's pelvis is taken as this far from it, metres.
+constexpr double kLeastDistance = 0.8;
 /// A join takes as long as keeps what it adds below this acceleration, rad/s².
 constexpr double kJoinAcceleration = 90;
 /// Moments that would miss each other by more are not brought together, seconds.
@@ -99,7 +101,7 @@ ChoiceRules Bout::rulesFor(int player, const Playing& own, const Playing& oppone
             barred = !barred;
     }
     if (settings_.mode == BoutMode::Avatar && player == settings_.avatar && !wishNodes_.empty()) {
-        const LibraryAction& theirs = library_->fighter(1 - player).action(opponent.action);
+        const BoutAction& theirs = library_->fighter(1 - player).action(opponent.action);
         const bool attacked =
             theirs.role == ActionRole::Strike && opponent.time.shownAt(theirs.moment) > opponent.at;
         if (!attacked || !settings_.reactFirst) {
@@ -110,6 +112,19 @@ ChoiceRules Bout::rulesFor(int player, const Playing& own, const Playing& oppone
         }
     }
     return rules;
+}
+
+/// The target, but not where the other one stands.
+Eigen::Vector2d Bout::reachableTarget() const {
+    const int other = 1 - settings_.avatar;
+    const Eigen::Vector2d theirs = stationOf(of(other).playing, other, of(other).playing.at).root;
+    const Eigen::Vector2d way = *target_ - theirs;
+    if (way.norm() >= kLeastDistance) return *target_;
+    const Eigen::Vector2d mine =
+        stationOf(of(settings_.avatar).playing, settings_.avatar, of(settings_.avatar).playing.at)
+            .root;
+    const Eigen::Vector2d side = way.norm() > 0.05 ? way : Eigen::Vector2d(mine - theirs);
+    return theirs + kLeastDistance * side.stableNormalized();
 }
 
 void Bout::choose(int player, const std::array<Playing, 2>& before) {
@@ -136,7 +151,7 @@ void Bout::choose(int player, const std::array<Playing, 2>& before) {
     if (target_ && player == settings_.avatar) {
         model = &*library_->fighter(player).avatarModel;
         known.conservativeResize(known.size() + 2);
-        known.tail<2>() = ground.toLocal(*target_);
+        known.tail<2>() = ground.toLocal(reachableTarget());
         choice.steered = true;
     }
     bool commanded = false;
@@ -188,8 +203,8 @@ std::optional<Coupling> Bout::couple(int player, Playing& own) {
     const bool replayed = settings_.mode == BoutMode::Passive && settings_.attacker == player;
     if (!settings_.coupling || replayed) return {};
     Playing& other = of(1 - player).playing;
-    const LibraryAction& mine = library_->fighter(player).action(own.action);
-    const LibraryAction& theirs = library_->fighter(1 - player).action(other.action);
+    const BoutAction& mine = library_->fighter(player).action(own.action);
+    const BoutAction& theirs = library_->fighter(1 - player).action(other.action);
     const bool answers = mine.role == ActionRole::Reaction && theirs.role == ActionRole::Strike;
     const bool answered = mine.role == ActionRole::Strike && theirs.role == ActionRole::Reaction;
     if (!answers && !answered) return {};
@@ -212,8 +227,7 @@ std::optional<Coupling> Bout::couple(int player, Playing& own) {
     // What would be missed all the same belongs to another exchange.
     if (std::abs(coupling.meeting.error) > kWorstMiss) return {};
 
-    const auto warped = [](Playing& playing, const LibraryAction& action, double from,
-                           double warp) {
+    const auto warped = [](Playing& playing, const BoutAction& action, double from, double warp) {
         const double toMoment = warp * (action.moment - from);
         const double rest = action.frames - action.moment;
         const int frames = std::max(1, static_cast<int>(std::lround(toMoment + rest)));
@@ -231,7 +245,7 @@ std::optional<Coupling> Bout::couple(int player, Playing& own) {
 
 void Bout::begin(int player, BoutChoice choice) {
     FighterState& fighter = of(player);
-    const LibraryAction& action = library_->fighter(player).action(choice.action);
+    const BoutAction& action = library_->fighter(player).action(choice.action);
     const Station shown = stationOf(fighter.playing, player, fighter.playing.at);
     const GroundFrame ground = groundNow(player);
     Playing next;
@@ -248,7 +262,7 @@ void Bout::begin(int player, BoutChoice choice) {
     if (choice.steered) {
         const int at =
             std::min(next.total, static_cast<int>(std::lround(kTargetSeconds * library_->rate)));
-        Eigen::Vector2d shift = *target_ - stationOf(next, player, at).root;
+        Eigen::Vector2d shift = reachableTarget() - stationOf(next, player, at).root;
         if (shift.norm() > kMostSteering) shift *= kMostSteering / shift.norm();
         next.placement.steer(shift, 0, next.time.sourceAt(at) / action.frames);
     }

@@ -8,8 +8,10 @@ namespace {
 
 constexpr double kNoStep = 0.03;        ///< metres that a foot may slide over
 constexpr double kFarthestHeld = 0.18;  ///< metres that a standing foot may be from its next place
-constexpr double kLiftPerMetre = 0.4;
-constexpr double kHighestLift = 0.09;   ///< metres
+constexpr double kLeastLift = 0.02;     ///< metres, and
+constexpr double kLiftPerMetre = 0.5;
+constexpr double kHighestLift = 0.09;  ///< metres
+constexpr double kRise = 0.3;          ///< share of the join in which a foot is lifted and set down
 constexpr double kSharpestBend = 2.65;  ///< radians at a knee or elbow, from straight
 
 constexpr std::array kAnkles = {Role::LeftAnkle, Role::RightAnkle};
@@ -45,7 +47,7 @@ JoinSteps::JoinSteps(const Rig& rig, const Pose& shown, const Pose& next, Standi
     for (const std::size_t side : {0, 1}) {
         if (held[side] || way[side] < kNoStep) continue;
         steps_[side].leg = limbOf(rig, kAnkles[side]);
-        steps_[side].height = std::min(kLiftPerMetre * way[side], kHighestLift);
+        steps_[side].height = std::min(kLeastLift + kLiftPerMetre * way[side], kHighestLift);
     }
 }
 
@@ -61,8 +63,9 @@ void JoinSteps::apply(const Rig& rig, Pose& pose, Standing& standing, double sec
         turn.coeffs() *= hinge.side;
     }
     if (!steps_[0].leg && !steps_[1].leg) return;
-    const double s = seconds / seconds_;
-    const double arc = 16 * s * s * (1 - s) * (1 - s);  // level at both ends
+    const double rise =
+        std::min({1.0, seconds / (kRise * seconds_), (seconds_ - seconds) / (kRise * seconds_)});
+    const double arc = rise * rise * (3 - 2 * rise);  // level at both ends and while it goes over
     JointFrames frames;
     jointFrames(rig, pose, frames);
     for (const std::size_t side : {0, 1}) {

@@ -52,118 +52,149 @@ void limit(Vector3d& vector, double most) {
 
 }  // namespace
 
+void Separation::Spring::follow(const Vector3d& target, double seconds, double dt) {
+    const double omega = 2 / seconds;
+    const Vector3d gap = at - target;
+    const Vector3d lead = speed + omega * gap;
+    const double decay = std::exp(-omega * dt);
+    at = target + (gap + lead * dt) * decay;
+    speed = (speed - omega * lead * dt) * decay;
+}
+
 Separation::Separation(const std::array<std::shared_ptr<const Rig>, 2>& rigs, double rate,
                        const SeparationSettings& settings)
     : settings_(settings), rate_(rate) {
     for (const std::size_t p : {0, 1}) {
         bodies_[p].rig = rigs[p];
-        bodies_[p].moved.fill(Vector3d::Zero());
+        bodies_[p].extra.fill(Vector3d::Zero());
         for (std::size_t i = 0; i < kLimbs; ++i)
             bodies_[p].limbs[i] = kumite::limbOf(*rigs[p], kEnds[i]);
     }
 }
 
-void Separation::foresee(const std::array<const Pose*, 2>& ahead) {
+/// By how much the ends of limbs have to go so that the solids as they are now overlap by no more
+/// than `allowed`.
+Separation::Ways Separation::waysOut(double allowed, const Stands& standing) const {
+    Ways ways;
+    for (auto& each : ways)
+        each.fill(Vector3d::Zero());
+    const auto freeLimb = [&](std::size_t p, const BodyCapsule& solid) {
+        const int limb = limbOf(solid);
+        if (limb < 0 || !bodies_[p].limbs[static_cast<std::size_t>(limb)]) return -1;
+        return limb >= 2 && standing[p][static_cast<std::size_t>(limb - 2)] ? -1 : limb;
+    };
+    const auto move = [&](std::size_t p, int limb, const BodyCapsule& solid, double along,
+                          const Vector3d& way) {
+        const double lever = isFoot(solid) ? 1.0 : std::max(along, kLeastAlong);
+        cover(ways[p][static_cast<std::size_t>(limb)], way / lever);
+    };
+    for (const BodyCapsule& a : solids_[0]) {
+        const int limbA = freeLimb(0, a);
+        for (const BodyCapsule& b : solids_[1]) {
+            const int limbB = freeLimb(1, b);
+            if (limbA < 0 && limbB < 0) continue;
+            const Nearness near = nearness(a.solid, b.solid);
+            const double depth = near.depth - allowed;
+            if (depth <= 0) continue;
+            const double share = limbA >= 0 && limbB >= 0 ? 0.5 : 1.0;
+            const Vector3d way = share * depth * near.direction;
+            if (limbA >= 0) move(0, limbA, a, near.alongFirst, way);
+            if (limbB >= 0) move(1, limbB, b, near.alongSecond, -way);
+        }
+    }
+    for (auto& body : ways) {
+        for (Vector3d& way : body)
+            limit(way, settings_.farthestLimb);
+    }
+    return ways;
+}
+
+void Separation::foresee(const std::array<const Pose*, 2>& ahead,
+                         const std::array<const Pose*, 2>& soon, const Stands& standing) {
+    const double dt = 1 / rate_;
+    const auto look = [&](const std::array<const Pose*, 2>& poses) {
+        if ((poses[0]->root - poses[1]->root).norm() > kFarApart) return false;
+        for (const std::size_t p : {0, 1}) {
+            jointFrames(*bodies_[p].rig, *poses[p], frames_[p]);
+            for (Vector3d& position : frames_[p].positions)
+                position += pushes_[p].at;
+            bodyCapsules(bodies_[p].rig->roles, frames_[p].positions, solids_[p]);
+        }
+        return true;
+    };
+    Ways ways;
+    for (auto& each : ways)
+        each.fill(Vector3d::Zero());
+    if (look(soon)) ways = waysOut(settings_.allowed, standing);
+    for (const std::size_t p : {0, 1}) {
+        for (std::size_t i = 0; i < kLimbs; ++i)
+            bodies_[p].moved[i].follow(ways[p][i], settings_.limbSeconds, dt);
+    }
+
     Vector3d apart = ahead[0]->root - ahead[1]->root;
     apart.y() = 0;
     double depth = 0;
-    if (apart.norm() < kFarApart) {
-        for (const std::size_t p : {0, 1}) {
-            jointFrames(*bodies_[p].rig, *ahead[p], frames_[p]);
-            bodyCapsules(bodies_[p].rig->roles, frames_[p].positions, solids_[p]);
-        }
+    if (look(ahead)) {
         for (const BodyCapsule& a : solids_[0]) {
             if (limbOf(a) >= 0) continue;
             for (const BodyCapsule& b : solids_[1]) {
                 if (limbOf(b) < 0) depth = std::max(depth, nearness(a.solid, b.solid).depth);
             }
         }
+        // They were looked at where the present push has them.
+        const Vector3d direction = apart.stableNormalized();
+        depth += (pushes_[0].at - pushes_[1].at).dot(direction);
     }
     const double wanted =
         std::min(std::max(0.0, depth - settings_.allowed) / 2, settings_.farthestPush);
     const Vector3d direction =
         apart.norm() > 1e-6 ? Vector3d(apart.normalized()) : Vector3d::UnitX();
     for (const std::size_t p : {0, 1}) {
-        Push& push = pushes_[p];
         const Vector3d target = (p == 0 ? wanted : -wanted) * direction;
-        // A critically damped spring: no jump in place or speed, whatever the target does.
-        const bool growing = target.squaredNorm() > push.at.squaredNorm();
-        const double omega = 2 / (growing ? settings_.pushSeconds : settings_.calmSeconds);
-        const double dt = 1 / rate_;
-        const Vector3d gap = push.at - target;
-        const Vector3d lead = push.speed + omega * gap;
-        const double decay = std::exp(-omega * dt);
-        push.at = target + (gap + lead * dt) * decay;
-        push.speed = (push.speed - omega * lead * dt) * decay;
+        const bool growing = target.squaredNorm() > pushes_[p].at.squaredNorm();
+        pushes_[p].follow(target, growing ? settings_.pushSeconds : settings_.calmSeconds, dt);
     }
 }
 
-void Separation::part(std::array<Pose*, 2> poses, std::array<JointFrames*, 2> joints,
-                      const std::array<std::array<bool, 2>, 2>& standing) {
-    const double left = std::exp(-1 / (settings_.limbSeconds * rate_));
-    for (Body& body : bodies_) {
-        for (Vector3d& moved : body.moved) {
-            moved *= left;
-            if (moved.norm() < 1e-4) moved.setZero();
-        }
+/// Moves the ends of a body's limbs.
+void Separation::move(std::size_t p, Pose& pose, JointFrames& joints,
+                      const std::array<Vector3d, kLimbs>& ways) const {
+    const Body& body = bodies_[p];
+    bool changed = false;
+    for (std::size_t i = 0; i < kLimbs; ++i) {
+        if (!body.limbs[i] || ways[i].norm() < 1e-4) continue;
+        const auto end = static_cast<std::size_t>(body.limbs[i]->end);
+        reach(*body.rig, pose, joints, *body.limbs[i], joints.positions[end] + ways[i],
+              EndTurn::KeepsLocal);
+        changed = true;
     }
-    const bool close = (poses[0]->root - poses[1]->root).norm() < kFarApart;
-    // What was moved in the last frame is moved on; the second look finds what that leaves.
-    for (int look = 0; look < 2; ++look) {
-        std::array<std::array<Vector3d, kLimbs>, 2> more;
-        for (auto& each : more)
-            each.fill(Vector3d::Zero());
-        if (close) {
-            for (const std::size_t p : {0, 1})
-                bodyCapsules(bodies_[p].rig->roles, joints[p]->positions, solids_[p]);
-            const auto freeLimb = [&](std::size_t p, const BodyCapsule& solid) {
-                const int limb = limbOf(solid);
-                if (limb < 0 || !bodies_[p].limbs[static_cast<std::size_t>(limb)]) return -1;
-                return limb >= 2 && standing[p][static_cast<std::size_t>(limb - 2)] ? -1 : limb;
-            };
-            const auto move = [&](std::size_t p, int limb, const BodyCapsule& solid, double along,
-                                  const Vector3d& way) {
-                const double lever = isFoot(solid) ? 1.0 : std::max(along, kLeastAlong);
-                cover(more[p][static_cast<std::size_t>(limb)], way / lever);
-            };
-            for (const BodyCapsule& a : solids_[0]) {
-                const int limbA = freeLimb(0, a);
-                for (const BodyCapsule& b : solids_[1]) {
-                    const int limbB = freeLimb(1, b);
-                    if (limbA < 0 && limbB < 0) continue;
-                    const Nearness near = nearness(a.solid, b.solid);
-                    const double depth = near.depth - settings_.allowed;
-                    if (depth <= 0) continue;
-                    const double share = limbA >= 0 && limbB >= 0 ? 0.5 : 1.0;
-                    const Vector3d way = share * depth * near.direction;
-                    if (limbA >= 0) move(0, limbA, a, near.alongFirst, way);
-                    if (limbB >= 0) move(1, limbB, b, near.alongSecond, -way);
-                }
-            }
+    if (changed) jointFrames(*body.rig, pose, joints);
+}
+
+void Separation::part(std::array<Pose*, 2> poses, std::array<JointFrames*, 2> joints,
+                      const Stands& standing) {
+    const double left = std::exp(-1 / (settings_.limbSeconds * rate_));
+    for (const std::size_t p : {0, 1}) {
+        Body& body = bodies_[p];
+        std::array<Vector3d, kLimbs> ways;
+        for (std::size_t i = 0; i < kLimbs; ++i) {
+            // A foot that stands by now is not moved.
+            if (i >= 2 && standing[p][i - 2]) body.moved[i] = Spring();
+            body.extra[i] *= left;
+            ways[i] = body.moved[i].at + body.extra[i];
         }
-        for (const std::size_t p : {0, 1}) {
-            bool changed = false;
-            for (std::size_t i = 0; i < kLimbs; ++i) {
-                Body& body = bodies_[p];
-                if (!body.limbs[i]) continue;
-                // In the first look what is kept from the last frame; then only what is added.
-                Vector3d step = look == 0 ? body.moved[i] : Vector3d::Zero();
-                const Vector3d before = step;
-                cover(step, more[p][i]);
-                if (step.isZero(0)) continue;
-                Vector3d change = step - before;
-                limit(change, settings_.fastestLimb / rate_);
-                Vector3d whole = body.moved[i] + change;
-                limit(whole, settings_.farthestLimb);
-                step = whole - body.moved[i] + before;
-                body.moved[i] = whole;
-                const auto end = static_cast<std::size_t>(body.limbs[i]->end);
-                reach(*body.rig, *poses[p], *joints[p], *body.limbs[i],
-                      joints[p]->positions[end] + step, EndTurn::KeepsLocal);
-                changed = true;
-            }
-            if (changed) jointFrames(*bodies_[p].rig, *poses[p], *joints[p]);
+        move(p, *poses[p], *joints[p], ways);
+    }
+    if ((poses[0]->root - poses[1]->root).norm() > kFarApart) return;
+    for (const std::size_t p : {0, 1})
+        bodyCapsules(bodies_[p].rig->roles, joints[p]->positions, solids_[p]);
+    Ways ways = waysOut(settings_.allowed + settings_.leftOver, standing);
+    for (const std::size_t p : {0, 1}) {
+        for (std::size_t i = 0; i < kLimbs; ++i) {
+            limit(ways[p][i], settings_.fastestLimb / rate_);
+            bodies_[p].extra[i] += ways[p][i];
         }
+        move(p, *poses[p], *joints[p], ways[p]);
     }
 }
 

@@ -326,7 +326,7 @@ void StageView::showCaption() {
     text += tr("   ·   left limbs lighter");
     if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
     if (isMeasuring()) text = measuringHint_;
-    scene_->caption->setText(text);
+    caption_ = text;
     placeOverlays();
 }
 
@@ -341,6 +341,7 @@ void StageView::placeOverlays() {
     QLabel* caption = scene_->caption;
     const int room = width() - 24;
     caption->setWordWrap(false);
+    caption->setText(caption_);
     caption->adjustSize();
     if (caption->width() > room) {
         // A narrow view: in two lines.

@@ -38,8 +38,8 @@ protected:
 };
 
 TEST_F(BoutCommandLine, WritesTwoMotionsAndTheLogAndSaysHowGoodItIs) {
-    const Result result =
-        kumite({"bout", project, "--seconds", "5", "--seed", "7", "--out", out("auto"), "--json"});
+    const Result result = kumite({"bout", project, "--seconds", "5", "--seed", "7", "--out",
+                                  out("auto"), "--strips", out("strips.svg"), "--json"});
     ASSERT_EQ(result.code, 0) << result.err;
     const auto json = nlohmann::json::parse(result.out);
     EXPECT_EQ(json["frames"], 301);
@@ -56,6 +56,8 @@ TEST_F(BoutCommandLine, WritesTwoMotionsAndTheLogAndSaysHowGoodItIs) {
         EXPECT_EQ(written.motions.front()->frameCount, 301);
         EXPECT_NEAR(rateOf(written.motions.front()->frameTime), 60, 1e-9);
     }
+    const std::string strips = test::readText(*folder / "strips.svg");
+    EXPECT_NE(strips.find("recorded: take demo"), std::string::npos);
     EXPECT_EQ(log("auto")["seed"], 7);
     EXPECT_EQ(log("auto")["choices"].size(), json["choices"].get<std::size_t>());
     const auto choice = log("auto")["choices"][0];

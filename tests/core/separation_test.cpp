@@ -1,0 +1,212 @@
+// Bodies that stay out of each other, and feet that step over where actions join.
+#include "core/synthesis/separation.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "core/motion/role_mapping.h"
+#include "core/synthesis/join_steps.h"
+#include "tests/support/builders.h"
+
+namespace kumite {
+namespace {
+
+std::shared_ptr<const Rig> humanRig() {
+    const auto motion = test::bobbing(2, 60, [](double) { return 0.0; });
+    return std::make_shared<const Rig>(
+        rigOf(*motion, motion->frames(), {0.01, UpAxis::Y}, mapRoles(*motion->skeleton).roles));
+}
+
+/// Standing on the floor with the arms out, facing +z.
+Pose standing(const Rig& rig, double x, double z) {
+    Pose pose;
+    pose.root = {x, test::kHumanRootHeight / 100, z};
+    pose.turns.assign(static_cast<std::size_t>(rig.jointCount()), Eigen::Quaterniond::Identity());
+    return pose;
+}
+
+/// Two humans, one of whom may walk into the other.
+struct Two {
+    std::shared_ptr<const Rig> rig = humanRig();
+    Separation separation{{rig, rig}, 60};
+    std::array<Pose, 2> poses;
+    std::array<JointFrames, 2> joints;
+
+    void show(const Pose& a, const Pose& b, Separation::Stands stands = {}) {
+        poses = {a, b};
+        separation.foresee({&poses[0], &poses[1]}, {&poses[0], &poses[1]}, stands);
+        for (const int p : {0, 1}) {
+            poses[static_cast<std::size_t>(p)].root += separation.push(p);
+            jointFrames(*rig, poses[static_cast<std::size_t>(p)],
+                        joints[static_cast<std::size_t>(p)]);
+        }
+        separation.part({&poses[0], &poses[1]}, {&joints[0], &joints[1]}, stands);
+    }
+    double deepest() {
+        std::vector<BodyCapsule> a, b;
+        bodyCapsules(rig->roles, joints[0].positions, a);
+        bodyCapsules(rig->roles, joints[1].positions, b);
+        double most = -10;
+        for (const BodyCapsule& p : a) {
+            for (const BodyCapsule& q : b)
+                most = std::max(most, nearness(p.solid, q.solid).depth);
+        }
+        return most;
+    }
+};
+
+TEST(Separation, LeavesBodiesAloneThatDoNotTouch) {
+    Two two;
+    const Pose a = standing(*two.rig, 0, 0);
+    const Pose b = standing(*two.rig, 0, 1.2);
+    two.show(a, b);
+    EXPECT_LT(two.deepest(), 0);
+    for (const std::size_t p : {0, 1}) {
+        const Pose& before = p == 0 ? a : b;
+        EXPECT_EQ(two.poses[p].root, before.root);
+        for (std::size_t j = 0; j < before.turns.size(); ++j)
+            EXPECT_EQ(two.poses[p].turns[j].coeffs(), before.turns[j].coeffs());
+    }
+}
+
+TEST(Separation, PushesTrunksApartWithoutAJump) {
+    Two two;
+    // Side by side and turned so that arms are out of the way: trunks 10 cm in each other.
+    const Pose a = standing(*two.rig, 0, 0);
+    const Pose b = standing(*two.rig, 0, 0.14);
+    Eigen::Vector3d last = Eigen::Vector3d::Zero();
+    double fastest = 0;
+    for (int i = 0; i < 60; ++i) {
+        two.show(a, b);
+        fastest = std::max(fastest, (two.separation.push(0) - last).norm() * 60);
+        last = two.separation.push(0);
+    }
+    EXPECT_LT(two.separation.push(0).z(), -0.03);
+    EXPECT_NEAR((two.separation.push(0) + two.separation.push(1)).norm(), 0, 1e-12)
+        << "both give way alike";
+    EXPECT_EQ(two.separation.push(0).y(), 0);
+    EXPECT_LT(fastest, 3);
+    const Pose away = standing(*two.rig, 0, 3);
+    for (int i = 0; i < 120; ++i)
+        two.show(a, away);
+    EXPECT_LT(two.separation.push(0).norm(), 0.001) << "goes again";
+}
+
+TEST(Separation, AHandStopsAtTheOtherBody) {
+    Two two;
+    // The left arm points along +x, into a body that stands beside: the wrist is in its trunk.
+    const Pose a = standing(*two.rig, 0, 0);
+    double before = 0;
+    for (int i = 0; i < 40; ++i) {
+        const Pose b = standing(*two.rig, 0.95 - 0.008 * i, 0);
+        two.show(a, b);
+        std::array<JointFrames, 2> raw;
+        jointFrames(*two.rig, a, raw[0]);
+        jointFrames(*two.rig, b, raw[1]);
+        std::vector<BodyCapsule> p, q;
+        bodyCapsules(two.rig->roles, raw[0].positions, p);
+        bodyCapsules(two.rig->roles, raw[1].positions, q);
+        before = 0;
+        for (const BodyCapsule& one : p) {
+            for (const BodyCapsule& other : q)
+                before = std::max(before, nearness(one.solid, other.solid).depth);
+        }
+        if (before < 0.10) {
+            EXPECT_LT(two.deepest(), 0.03) << i << ": " << before;
+        }
+    }
+    EXPECT_GT(before, 0.03) << "there was something to do";
+    const int wrist = *two.rig->roles[Role::LeftWrist];
+    JointFrames rest;
+    jointFrames(*two.rig, a, rest);
+    EXPECT_GT((two.joints[0].positions[static_cast<std::size_t>(wrist)] -
+               rest.positions[static_cast<std::size_t>(wrist)])
+                  .norm(),
+              0.01);
+}
+
+// ---- join steps --------------------------------------------------------------------------------
+
+Eigen::Vector3d footOf(const Rig& rig, const Pose& pose, bool left) {
+    JointFrames joints;
+    jointFrames(rig, pose, joints);
+    return joints.positions[static_cast<std::size_t>(*footPoint(rig, left))];
+}
+
+TEST(JoinSteps, AFootThatStandsInBothIsHeld) {
+    const auto rig = humanRig();
+    const Pose shown = standing(*rig, 0, 0);
+    const JoinSteps steps(*rig, shown, standing(*rig, 0.1, 0), {true, true}, {true, true}, 0.2);
+    Pose pose = shown;
+    Standing stands = {true, true};
+    steps.apply(*rig, pose, stands, 0.1);
+    EXPECT_EQ(stands, (Standing{true, true}));
+    EXPECT_NEAR((footOf(*rig, pose, true) - footOf(*rig, shown, true)).norm(), 0, 1e-12);
+}
+
+TEST(JoinSteps, AFootThatHasToGoIsLiftedAndStandsWhenItIsThere) {
+    const auto rig = humanRig();
+    // Crouching, so that a leg can lift.
+    Pose shown = standing(*rig, 0, 0);
+    const auto bend = [&](Role role, double angle) {
+        shown.turns[static_cast<std::size_t>(*rig->roles[role])] =
+            Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
+    };
+    bend(Role::LeftHip, -0.6);
+    bend(Role::LeftKnee, 1.0);
+    Pose next = shown;
+    next.root.x() += 0.15;
+    const JoinSteps steps(*rig, shown, next, {false, true}, {true, true}, 0.2);
+    double highest = 0;
+    for (double t = 0; t < 0.2; t += 0.02) {
+        Pose pose = shown;
+        Standing stands = {true, true};
+        steps.apply(*rig, pose, stands, t);
+        if (t > 0) {
+            EXPECT_FALSE(stands[0]) << t;
+        }
+        EXPECT_TRUE(stands[1]) << t;
+        highest = std::max(highest, footOf(*rig, pose, true).y() - footOf(*rig, shown, true).y());
+    }
+    EXPECT_NEAR(highest, 0.06, 0.01);
+    Pose pose = shown;
+    Standing stands = {true, true};
+    steps.apply(*rig, pose, stands, 0.21);
+    EXPECT_TRUE(stands[0]) << "it has arrived";
+}
+
+TEST(JoinSteps, OfTwoFeetFarFromTheirPlacesOneStays) {
+    const auto rig = humanRig();
+    const Pose shown = standing(*rig, 0, 0);
+    const JoinSteps steps(*rig, shown, standing(*rig, 0.4, 0), {true, true}, {true, true}, 0.2);
+    Pose pose = shown;
+    Standing stands = {true, true};
+    steps.apply(*rig, pose, stands, 0.1);
+    EXPECT_NE(stands[0], stands[1]);
+}
+
+TEST(JoinSteps, AKneeDoesNotFoldThroughItself) {
+    const auto rig = humanRig();
+    const Pose shown = standing(*rig, 0, 0);
+    for (const double side : {1.0, -1.0}) {
+        Pose next = shown;
+        const auto knee = static_cast<std::size_t>(*rig->roles[Role::RightKnee]);
+        next.turns[knee] = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
+        next.turns[knee].coeffs() *= side;
+        const JoinSteps steps(*rig, shown, next, {true, true}, {true, true}, 0.2);
+        for (const double angle : {0.2, 2.0, 2.6, 3.0, 3.4}) {
+            Pose pose = shown;
+            pose.turns[knee] = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
+            pose.turns[knee].coeffs() *= side;
+            Standing stands = {true, true};
+            steps.apply(*rig, pose, stands, 0.1);
+            const double shownAngle =
+                2 * std::atan2(side * pose.turns[knee].x(), side * pose.turns[knee].w());
+            EXPECT_NEAR(shownAngle, std::min(angle, 2.65), 1e-9);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace kumite
