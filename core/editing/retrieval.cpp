@@ -123,6 +123,14 @@ Cost rigidCost(std::span<const PoseBits> clip, const Query& query, int firstFram
     return static_cast<Cost>(cost);
 }
 
+/// The best `keep` of some places, in any order.
+void keepBest(std::vector<Place>& places, std::size_t keep) {
+    if (places.size() <= keep) return;
+    std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(keep),
+                     places.end());
+    places.resize(keep);
+}
+
 /// The best places of one piece of a clip; at most `keep` of them.
 std::vector<Place> placesIn(std::span<const PoseBits> clip, int clipIndex, FrameRange piece,
                             int firstFrame, const Query& query, std::size_t keep) {
@@ -156,11 +164,7 @@ std::vector<Place> placesIn(std::span<const PoseBits> clip, int clipIndex, Frame
         }
         f = end;
     }
-    if (places.size() > keep) {
-        std::nth_element(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(keep),
-                         places.end());
-        places.resize(keep);
-    }
+    keepBest(places, keep);
     return places;
 }
 
@@ -273,22 +277,24 @@ std::vector<KeyMatch> findSimilar(const FeatureLibrary& library, const KeySequen
     }
     // More places than results: some will turn out to be the same match.
     const std::size_t keep = 4 * static_cast<std::size_t>(std::max(1, settings.results));
-    std::vector<std::vector<Place>> found(pieces.size());
     constexpr int kPiecesAtOnce = 16;
+    std::vector<std::vector<Place>> found((pieces.size() + kPiecesAtOnce - 1) / kPiecesAtOnce);
     forBlocks({0, static_cast<int>(pieces.size())}, kPiecesAtOnce, [&](FrameRange block) {
         progress.update(static_cast<double>(block.begin) / static_cast<double>(pieces.size()));
+        std::vector<Place>& best = found[static_cast<std::size_t>(block.begin / kPiecesAtOnce)];
         for (int i = block.begin; i < block.end; ++i) {
             const Piece& piece = pieces[static_cast<std::size_t>(i)];
-            found[static_cast<std::size_t>(i)] =
-                placesIn(framesOf(piece.range.clip), piece.range.clip, piece.frames,
-                         piece.range.frames.begin, query, keep);
+            const auto some = placesIn(framesOf(piece.range.clip), piece.range.clip, piece.frames,
+                                       piece.range.frames.begin, query, keep);
+            best.insert(best.end(), some.begin(), some.end());
         }
+        keepBest(best, keep);
     });
     std::vector<Place> places;
     for (const auto& some : found)
         places.insert(places.end(), some.begin(), some.end());
+    keepBest(places, keep);
     std::sort(places.begin(), places.end());
-    if (places.size() > keep) places.resize(keep);
 
     std::vector<KeyMatch> matches;
     for (const Place& place : places)

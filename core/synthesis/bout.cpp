@@ -82,7 +82,7 @@ void Bout::start() {
         const int attacker = settings_.attacker;
         const int defender = 1 - attacker;
         const LibraryFighter& mover = library_->fighter(attacker);
-        const LibraryAction& first = mover.action(settings_.attack.front());
+        const BoutAction& first = mover.action(settings_.attack.front());
         if (first.clip < 0)
             throw Error("The captured attack cannot be shown: its take is missing.");
         const GroundTransform scene = startOf(first.ground, attacker);
@@ -102,7 +102,7 @@ void Bout::start() {
         const double number = drawn(settings_.seed, kStartStream, 0);
         const int action =
             calm[static_cast<std::size_t>(number * static_cast<double>(calm.size()))];
-        const LibraryAction& shown = library_->fighter(defender).action(action);
+        const BoutAction& shown = library_->fighter(defender).action(action);
         const GroundFrame seen{first.ground.origin, first.ground.yaw + std::numbers::pi};
         startPlaying(defender, action, scene * between(shown.ground, seen), 0);
     } else {
@@ -124,8 +124,8 @@ void Bout::start() {
             moments[static_cast<std::size_t>(number * static_cast<double>(moments.size()))];
         const LibraryFighter& own = library_->fighter(moment.mover);
         const LibraryFighter& other = library_->fighter(1 - moment.mover);
-        const LibraryAction& next = own.action(moment.transition.next);
-        const LibraryAction& theirs = other.action(moment.transition.opponent);
+        const BoutAction& next = own.action(moment.transition.next);
+        const BoutAction& theirs = other.action(moment.transition.opponent);
         const GroundTransform scene = startOf(next.ground, moment.mover);
         const double seconds = own.clipOf(next).secondsAt(next.begin);
         startPlaying(moment.mover, moment.transition.next, scene, 0);
@@ -137,7 +137,7 @@ void Bout::start() {
 
 void Bout::startPlaying(int player, int action, const GroundTransform& wanted, double source) {
     FighterState& fighter = of(player);
-    const LibraryAction& recorded = library_->fighter(player).action(action);
+    const BoutAction& recorded = library_->fighter(player).action(action);
     const LibraryClip& clip = library_->fighter(player).clipOf(recorded);
     Playing& playing = fighter.playing;
     playing.action = action;
@@ -155,7 +155,7 @@ void Bout::startPlaying(int player, int action, const GroundTransform& wanted, d
 
 Station Bout::stationOf(const Playing& playing, int player, int at) const {
     const LibraryFighter& fighter = library_->fighter(player);
-    const LibraryAction& action = fighter.action(playing.action);
+    const BoutAction& action = fighter.action(playing.action);
     const double source = playing.time.sourceAt(at);
     return playing.placement.at(fighter.clipOf(action).stationAt(action.begin + source),
                                 source / action.frames);
@@ -164,7 +164,7 @@ Station Bout::stationOf(const Playing& playing, int player, int at) const {
 Eigen::Vector2d Bout::comOf(int player) const {
     const Playing& playing = of(player).playing;
     const LibraryFighter& fighter = library_->fighter(player);
-    const LibraryAction& action = fighter.action(playing.action);
+    const BoutAction& action = fighter.action(playing.action);
     const LibraryClip& clip = fighter.clipOf(action);
     const double source = playing.time.sourceAt(playing.at);
     const GroundTransform placed = playing.placement.transformAt(
@@ -180,7 +180,7 @@ GroundFrame Bout::groundNow(int player) const {
 
 Pose Bout::poseOf(int player, const Playing& playing, int at) const {
     const LibraryFighter& fighter = library_->fighter(player);
-    const LibraryAction& action = fighter.action(playing.action);
+    const BoutAction& action = fighter.action(playing.action);
     const LibraryClip& clip = fighter.clipOf(action);
     const double source = playing.time.sourceAt(at);
     const double frame = std::min(action.begin + source, clip.clip.frameCount() - 1.0);
@@ -217,7 +217,7 @@ void Bout::step() {
 void Bout::fill(int player) {
     FighterState& fighter = of(player);
     const Playing& playing = fighter.playing;
-    const LibraryAction& action = library_->fighter(player).action(playing.action);
+    const BoutAction& action = library_->fighter(player).action(playing.action);
     const LibraryClip& clip = library_->fighter(player).clipOf(action);
     const int useful = std::min(kLookAhead, playing.total - playing.at + 1);
     while (static_cast<int>(fighter.ahead.size()) < useful) {
@@ -251,7 +251,7 @@ void Bout::show() {
     for (const int player : {0, 1}) {
         FighterState& fighter = of(player);
         const Playing& playing = fighter.playing;
-        const LibraryAction& action = library_->fighter(player).action(playing.action);
+        const BoutAction& action = library_->fighter(player).action(playing.action);
         FighterShown& shown = fighter.shown;
         const Eigen::Vector3d& push = separation_.push(player);
         std::vector<Pose> pushed;

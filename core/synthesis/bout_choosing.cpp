@@ -101,7 +101,7 @@ ChoiceRules Bout::rulesFor(int player, const Playing& own, const Playing& oppone
             barred = !barred;
     }
     if (settings_.mode == BoutMode::Avatar && player == settings_.avatar && !wishNodes_.empty()) {
-        const LibraryAction& theirs = library_->fighter(1 - player).action(opponent.action);
+        const BoutAction& theirs = library_->fighter(1 - player).action(opponent.action);
         const bool attacked =
             theirs.role == ActionRole::Strike && opponent.time.shownAt(theirs.moment) > opponent.at;
         if (!attacked || !settings_.reactFirst) {
@@ -203,8 +203,8 @@ std::optional<Coupling> Bout::couple(int player, Playing& own) {
     const bool replayed = settings_.mode == BoutMode::Passive && settings_.attacker == player;
     if (!settings_.coupling || replayed) return {};
     Playing& other = of(1 - player).playing;
-    const LibraryAction& mine = library_->fighter(player).action(own.action);
-    const LibraryAction& theirs = library_->fighter(1 - player).action(other.action);
+    const BoutAction& mine = library_->fighter(player).action(own.action);
+    const BoutAction& theirs = library_->fighter(1 - player).action(other.action);
     const bool answers = mine.role == ActionRole::Reaction && theirs.role == ActionRole::Strike;
     const bool answered = mine.role == ActionRole::Strike && theirs.role == ActionRole::Reaction;
     if (!answers && !answered) return {};
@@ -227,8 +227,7 @@ std::optional<Coupling> Bout::couple(int player, Playing& own) {
     // What would be missed all the same belongs to another exchange.
     if (std::abs(coupling.meeting.error) > kWorstMiss) return {};
 
-    const auto warped = [](Playing& playing, const LibraryAction& action, double from,
-                           double warp) {
+    const auto warped = [](Playing& playing, const BoutAction& action, double from, double warp) {
         const double toMoment = warp * (action.moment - from);
         const double rest = action.frames - action.moment;
         const int frames = std::max(1, static_cast<int>(std::lround(toMoment + rest)));
@@ -246,7 +245,7 @@ std::optional<Coupling> Bout::couple(int player, Playing& own) {
 
 void Bout::begin(int player, BoutChoice choice) {
     FighterState& fighter = of(player);
-    const LibraryAction& action = library_->fighter(player).action(choice.action);
+    const BoutAction& action = library_->fighter(player).action(choice.action);
     const Station shown = stationOf(fighter.playing, player, fighter.playing.at);
     const GroundFrame ground = groundNow(player);
     Playing next;

@@ -26,12 +26,12 @@ Between between(double frame, std::size_t count) {
     return {whole, count > 1 ? inside - static_cast<double>(whole) : 0.0};
 }
 
-std::vector<LibraryAction> actionsOf(const CoupledGraph& graph, int player,
-                                     const std::vector<LibraryClip>& clips,
-                                     const std::vector<LibraryClip>& others) {
-    std::vector<LibraryAction> actions;
+std::vector<BoutAction> actionsOf(const CoupledGraph& graph, int player,
+                                  const std::vector<LibraryClip>& clips,
+                                  const std::vector<LibraryClip>& others) {
+    std::vector<BoutAction> actions;
     for (const BasicAction& basic : graph.actions[static_cast<std::size_t>(player)]) {
-        LibraryAction& action = actions.emplace_back();
+        BoutAction& action = actions.emplace_back();
         action.node = basic.node;
         const auto take = static_cast<std::size_t>(basic.take);
         if (take >= clips.size() || clips[take].empty()) continue;
@@ -53,7 +53,7 @@ std::vector<LibraryAction> actionsOf(const CoupledGraph& graph, int player,
 
 /// The transitions of a mover whose next action can be shown.
 std::vector<int> playable(const CoupledGraph& graph, int mover,
-                          const std::vector<LibraryAction>& actions) {
+                          const std::vector<BoutAction>& actions) {
     std::vector<int> list;
     const auto& all = graph.transitionsOf(mover);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -87,7 +87,7 @@ Eigen::MatrixXf firstPoses(const CoupledGraph& graph, const BoutNumbers& numbers
 
 ChoiceModel modelOf(const CoupledGraph& graph, const BoutNumbers& numbers, int mover,
                     LabelTerm labels, GeometryTerm geometry, const Eigen::MatrixXd& rows,
-                    const std::vector<LibraryAction>& actions) {
+                    const std::vector<BoutAction>& actions) {
     const std::vector<int> list = playable(graph, mover, actions);
     Eigen::MatrixXd some(static_cast<Eigen::Index>(list.size()), rows.cols());
     for (std::size_t i = 0; i < list.size(); ++i)

@@ -39,7 +39,7 @@ struct LibraryClip {
 enum class ActionRole { Neither, Strike, Reaction };
 
 /// An action of B as a bout plays it.
-struct LibraryAction {
+struct BoutAction {
     int clip = -1;   ///< of its fighter; -1: it cannot be shown
     int begin = 0;   ///< frame of the clip
     int frames = 0;  ///< from the boundary frame at its begin to the one at its end; at least 1
@@ -58,15 +58,13 @@ struct LibraryFighter {
     SharedValue<std::vector<LibraryClip>> clips;  ///< by take
     /// Heights of the left and right foot point when that foot stands, metres.
     std::array<double, 2> footRest{};
-    std::vector<LibraryAction> actions;  ///< as in B
+    std::vector<BoutAction> actions;  ///< as in B
     ChoiceModel model;
     /// With the avatar's target, 38 dimensions; see withAvatar.
     std::optional<ChoiceModel> avatarModel;
 
-    const LibraryAction& action(int index) const {
-        return actions[static_cast<std::size_t>(index)];
-    }
-    const LibraryClip& clipOf(const LibraryAction& action) const {
+    const BoutAction& action(int index) const { return actions[static_cast<std::size_t>(index)]; }
+    const LibraryClip& clipOf(const BoutAction& action) const {
         return (*clips)[static_cast<std::size_t>(action.clip)];
     }
 };

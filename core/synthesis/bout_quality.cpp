@@ -45,7 +45,7 @@ RecordingQuality recordingQuality(const BoutLibrary& library, const Progress& pr
         JudgedFighter& one = judged.fighters.emplace_back();
         one.clip = &clip;
         LabelSequence labels;
-        for (const LibraryAction& action : fighter.actions) {
+        for (const BoutAction& action : fighter.actions) {
             if (action.clip != static_cast<int>(take)) continue;
             if (action.begin > first) one.joins.push_back(action.begin - first);
             if (action.node >= 0) labels.push_back(library.graph->node(player, action.node).text);
@@ -94,7 +94,7 @@ Quality boutQuality(const BoutTape& tape, const JointMotionBar& bar, const Progr
     for (const auto& [choice, both] : meetings) {
         const double own = moments[both[0]] / library.rate;
         const double other = moments[both[1]] / library.rate;
-        const LibraryAction& action = library.fighter(choice->player).action(choice->action);
+        const BoutAction& action = library.fighter(choice->player).action(choice->action);
         if (action.role == ActionRole::Reaction) {
             judged.hits.push_back({other, own, choice->coupling->lag});
         } else {

@@ -11,7 +11,7 @@ constexpr double kLongestLag = 0.7;  ///< seconds
 
 /// The frame, counted from the action's begin, at which a limb is farthest from the own pelvis
 /// toward the other fighter; nothing if no limb strikes.
-std::optional<int> farthest(const BoutLibrary& library, int player, const LibraryAction& action,
+std::optional<int> farthest(const BoutLibrary& library, int player, const BoutAction& action,
                             const Label& label) {
     const Vocabulary& vocabulary = library.vocabulary();
     const LibraryFighter& own = library.fighter(player);
@@ -46,24 +46,24 @@ std::optional<int> farthest(const BoutLibrary& library, int player, const Librar
     return best;
 }
 
-double beginOf(const LibraryFighter& fighter, const LibraryAction& action) {
+double beginOf(const LibraryFighter& fighter, const BoutAction& action) {
     return fighter.clipOf(action).secondsAt(action.begin);
 }
 
-double endOf(const LibraryFighter& fighter, const LibraryAction& action) {
+double endOf(const LibraryFighter& fighter, const BoutAction& action) {
     return fighter.clipOf(action).secondsAt(action.begin + action.frames);
 }
 
-double momentOf(const LibraryFighter& fighter, const LibraryAction& action) {
+double momentOf(const LibraryFighter& fighter, const BoutAction& action) {
     return fighter.clipOf(action).secondsAt(action.begin + action.moment);
 }
 
 /// The opponent's action of a role that overlaps an action longest in time.
-const LibraryAction* partner(const LibraryFighter& own, const LibraryAction& action,
-                             const LibraryFighter& other, ActionRole role) {
-    const LibraryAction* best = nullptr;
+const BoutAction* partner(const LibraryFighter& own, const BoutAction& action,
+                          const LibraryFighter& other, ActionRole role) {
+    const BoutAction* best = nullptr;
     double longest = 0;
-    for (const LibraryAction& each : other.actions) {
+    for (const BoutAction& each : other.actions) {
         if (each.role != role || each.clip != action.clip) continue;
         const double shared = std::min(endOf(own, action), endOf(other, each)) -
                               std::max(beginOf(own, action), beginOf(other, each));
@@ -112,7 +112,7 @@ void findMoments(BoutLibrary& library) {
     for (const int player : {0, 1}) {
         LibraryFighter& fighter = library.fighters[static_cast<std::size_t>(player)];
         for (std::size_t i = 0; i < fighter.actions.size(); ++i) {
-            LibraryAction& action = fighter.actions[i];
+            BoutAction& action = fighter.actions[i];
             if (action.clip < 0 || action.node < 0) continue;
             const Label& label = graph.node(player, action.node).label;
             const StancePair stances = stancesOf(*graph.vocabulary, label);
@@ -136,10 +136,10 @@ void findMoments(BoutLibrary& library) {
     for (const int player : {0, 1}) {
         LibraryFighter& own = library.fighters[static_cast<std::size_t>(player)];
         const LibraryFighter& other = library.fighter(1 - player);
-        for (LibraryAction& action : own.actions) {
+        for (BoutAction& action : own.actions) {
             if (action.role == ActionRole::Neither) continue;
             const bool reaction = action.role == ActionRole::Reaction;
-            const LibraryAction* belongs =
+            const BoutAction* belongs =
                 partner(own, action, other, reaction ? ActionRole::Strike : ActionRole::Reaction);
             if (!belongs) continue;
             const double lag = momentOf(own, action) - momentOf(other, *belongs);

@@ -326,7 +326,7 @@ void StageView::showCaption() {
     text += tr("   ·   left limbs lighter");
     if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
     if (isMeasuring()) text = measuringHint_;
-    scene_->caption->setText(text);
+    caption_ = text;
     placeOverlays();
 }
 
@@ -339,7 +339,15 @@ void StageView::placeOverlays() {
     scene_->canvas->setGeometry(rect());
     scene_->labels->setGeometry(rect());
     QLabel* caption = scene_->caption;
+    const int room = width() - 24;
+    caption->setWordWrap(false);
+    caption->setText(caption_);
     caption->adjustSize();
+    if (caption->width() > room) {
+        // A narrow view: in two lines.
+        caption->setWordWrap(true);
+        caption->resize(room, caption->heightForWidth(room));
+    }
     caption->move(12, height() - caption->height() - 8);
     if (tools_ == nullptr) return;
     tools_->adjustSize();

@@ -152,7 +152,8 @@ private:
     QWidget* tools_ = nullptr;
     CameraHand hand_;
     QString measuringHint_;
-    QString told_;  ///< of what is measured
+    QString caption_;  ///< whole, where the view is too narrow for it
+    QString told_;     ///< of what is measured
 };
 
 }  // namespace kumite::studio

@@ -66,7 +66,7 @@ TEST_F(BoutTest, StartsAsSomethingThatWasRecorded) {
     int take = -1, seconds = -1;
     for (const int player : {0, 1}) {
         const FighterShown& shown = bout.shown(player);
-        const LibraryAction& action = library->fighter(player).action(shown.action);
+        const BoutAction& action = library->fighter(player).action(shown.action);
         const LibraryClip& clip = library->fighter(player).clipOf(action);
         const int frame = action.begin - shown.actionBegin;
         recorded[static_cast<std::size_t>(player)] = clip.stationAt(frame).root;
@@ -166,7 +166,7 @@ TEST_F(BoutTest, ActionsChainByStanceWhereOneIsThere) {
     std::array<int, 2> stance = {-1, -1};
     int followed = 0;
     for (const auto& choice : tape.choices()) {
-        const LibraryAction& action = library->fighter(choice->player).action(choice->action);
+        const BoutAction& action = library->fighter(choice->player).action(choice->action);
         int& now = stance[static_cast<std::size_t>(choice->player)];
         if (now >= 0 && !choice->options.stanceGaveWay) {
             EXPECT_EQ(action.firstStance, now);

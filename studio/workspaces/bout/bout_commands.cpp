@@ -1,7 +1,6 @@
 #include "studio/workspaces/bout/bout_commands.h"
 
 #include <QApplication>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
 #include <QSettings>
@@ -10,6 +9,7 @@
 
 #include "core/project/kept_bout.h"
 #include "studio/app/commands.h"
+#include "studio/app/questions.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/bout/bout_export.h"
 #include "studio/workspaces/bout/bout_session.h"
@@ -50,9 +50,9 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
         return;
     }
     bout.setPlaying(false);
-    const QString path = QFileDialog::getSaveFileName(
-        stage.window(), text("Keep the bout as a take"), suggestion(bout, QStringLiteral(".bvh")),
-        text("Recordings, NAME-1 and NAME-2 (*.bvh)"));
+    const QString path = fileToSave(stage.window(), text("Keep the bout as a take"),
+                                    suggestion(bout, QStringLiteral(".bvh")),
+                                    text("Recordings, NAME-1 and NAME-2 (*.bvh)"));
     if (path.isEmpty()) return;
     const QFileInfo info(path);
     const int revision = bout.revision();
@@ -107,7 +107,7 @@ QString writeFilm(BoutSession& bout, StageView& stage, const QString& path) {
 
 void exportBout(BoutSession& bout, StageView& stage) {
     bout.setPlaying(false);
-    QString path = QFileDialog::getSaveFileName(
+    QString path = fileToSave(
         stage.window(), text("Export the bout"), suggestion(bout, QStringLiteral(".bvh")),
         text("Motion of both, NAME-1 and NAME-2 (*.bvh);;glTF: skeletons and animation (*.glb);;"
              "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes "

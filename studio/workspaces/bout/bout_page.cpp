@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <utility>
+
 #include "studio/app/commands.h"
 #include "studio/workspaces/bout/bout_panel.h"
 #include "studio/workspaces/bout/bout_session.h"
@@ -33,12 +35,12 @@ BoutPage::BoutPage(BoutSession& bout, QWidget* parent)
 }
 
 void BoutPage::addCommands(CommandTable& commands) {
-    for (const char* id : {"bout.begin", "bout.keep", "bout.export"}) {
+    const std::pair<const char*, QString> all[] = {
+        {"bout.begin", tr("Anew")}, {"bout.keep", tr("Keep…")}, {"bout.export", tr("Export…")}};
+    for (const auto& [id, text] : all) {
         const QAction* action = commands.action(QLatin1String(id));
         const QString name = commands.find(QLatin1String(id))->plainText();
-        auto* button = new QPushButton(name.section(QLatin1Char(' '), 0, 1), panel_);
-        if (QLatin1String(id) == QLatin1String("bout.keep")) button->setText(tr("Keep…"));
-        if (QLatin1String(id) == QLatin1String("bout.export")) button->setText(tr("Export…"));
+        auto* button = new QPushButton(text, panel_);
         button->setFocusPolicy(Qt::TabFocus);
         button->setToolTip(name);
         commands.tellKey(button, QLatin1String(id));

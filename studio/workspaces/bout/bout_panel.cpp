@@ -283,8 +283,13 @@ QWidget* BoutPanel::makeQuality() {
     quality_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     quality_->verticalHeader()->hide();
     quality_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 3);
-    quality_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    quality_->horizontalHeader()->setHighlightSections(false);
+    QHeaderView* header = quality_->horizontalHeader();
+    header->setSectionResizeMode(QHeaderView::Fixed);
+    header->setSectionResizeMode(0, QHeaderView::Stretch);
+    header->setMinimumSectionSize(20);
+    header->resizeSection(1, fontMetrics().horizontalAdvance(QStringLiteral("100.0 %")) + 14);
+    header->resizeSection(2, fontMetrics().horizontalAdvance(tr("recorded")) + 14);
+    header->setHighlightSections(false);
     for (int row = 0; row < quality_->rowCount(); ++row) {
         for (int column = 0; column < 3; ++column) {
             auto* item = new QTableWidgetItem;
@@ -295,8 +300,8 @@ QWidget* BoutPanel::makeQuality() {
             quality_->setItem(row, column, item);
         }
     }
-    quality_->setFixedHeight(quality_->horizontalHeader()->sizeHint().height() +
-                             quality_->rowCount() * (fontMetrics().height() + 3) + 4);
+    quality_->setFixedHeight(header->sizeHint().height() +
+                             quality_->rowCount() * quality_->rowHeight(0) + 12);
     layout->addWidget(quality_);
     return box;
 }

@@ -85,12 +85,14 @@ BoutSession::BoutSession(Session& session, QObject* parent) : QObject(parent), s
 }
 
 void BoutSession::setActive(bool active) {
+    if (active == active_) return;
     active_ = active;
     if (!active_) {
         setPlaying(false);
     } else if (!tape_) {
         due_.start();
     }
+    Q_EMIT stateChanged();
 }
 
 QString BoutSession::whyNothing() const {

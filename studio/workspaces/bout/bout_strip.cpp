@@ -129,12 +129,10 @@ void BoutStrip::paintBlock(QPainter& painter, const Block& block) const {
     const QRectF text = seen.adjusted(4, 2, -3, -2);
     if (text.width() < 14) return;
     painter.setPen(c.text);
-    painter.drawText(
-        text, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-        text.height() > 2.2 * painter.fontMetrics().height()
-            ? bout_.nameOf(block.player, block.node)
-            : painter.fontMetrics().elidedText(bout_.nameOf(block.player, block.node),
-                                               Qt::ElideRight, static_cast<int>(text.width())));
+    const QString name = bout_.nameOf(block.player, block.node);
+    const int wrapped = Qt::AlignLeft | Qt::TextWordWrap;
+    const bool fits = painter.boundingRect(text, wrapped, name).height() <= text.height();
+    painter.drawText(text, wrapped | (fits ? Qt::AlignVCenter : Qt::AlignTop), name);
 }
 
 void BoutStrip::paintEvent(QPaintEvent*) {

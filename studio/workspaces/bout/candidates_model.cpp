@@ -81,9 +81,13 @@ void CandidatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
                              : tr("P %1").arg(chanceText(drawn.chance));
     row.isTaken = model_.isChosen(index.row());
     row.colour = coloursFor(option.palette).fighters[model_.choice()->player];
-    row.bars = {{tr("label %1").arg(chanceText(candidate.label)), candidate.label},
-                {tr("geom. %1").arg(chanceText(candidate.geometry)), candidate.geometry},
-                {tr("both %1").arg(chanceText(candidate.product)), candidate.product}};
+    // Three stand side by side: what is hardly there is told by a word less.
+    const auto number = [](double p) {
+        return p < 0.005 ? QStringLiteral("~0") : QString::number(p, 'f', 2);
+    };
+    row.bars = {{tr("label %1").arg(number(candidate.label)), candidate.label},
+                {tr("geom. %1").arg(number(candidate.geometry)), candidate.geometry},
+                {tr("both %1").arg(number(candidate.product)), candidate.product}};
     paintCandidateRow(*painter, option, row);
 }
 

@@ -18,7 +18,8 @@ namespace kumite::studio {
 namespace {
 constexpr double kRow = 24;
 constexpr double kBar = 3;
-constexpr double kReach = 5;  // pixels
+constexpr double kReach = 5;        // pixels
+constexpr double kMostGuesses = 6;  ///< even guesses that fill a row at most
 
 /// The surprise that all but one in thirty stay below: a single odd pose must not flatten the rest.
 double usualTop(const std::vector<Surprise>& all, SurpriseKind kind) {
@@ -80,7 +81,7 @@ void SurpriseStrip::addChoice() {
     }
     const auto follow = [this, group] {
         const SurpriseKind kind = graph_.options().surprise;
-        kind_->setText(tr("surprise: %1").arg(surpriseName(kind)));
+        kind_->setText(surpriseName(kind) + QStringLiteral(" ▾"));
         for (QAction* action : group->actions()) {
             if (action->data().toInt() != static_cast<int>(kind)) continue;
             action->setChecked(true);
@@ -92,7 +93,9 @@ void SurpriseStrip::addChoice() {
     };
     kind_->setMenu(menu);
     kind_->setPopupMode(QToolButton::InstantPopup);
-    kind_->setProperty("role", "small");
+    kind_->setStyleSheet(
+        QStringLiteral("QToolButton { padding: 0 2px; } "
+                       "QToolButton::menu-indicator { image: none; }"));
     kind_->setFocusPolicy(Qt::TabFocus);
     kind_->setAccessibleName(tr("Which surprise is shown"));
     connect(&graph_, &GraphSession::optionsChanged, this, follow);
@@ -100,10 +103,10 @@ void SurpriseStrip::addChoice() {
 }
 
 void SurpriseStrip::layOutChoice() {
-    const QSize size = kind_->sizeHint();
-    const int room = static_cast<int>(rowOf(0).left()) - 46 - 10;
-    kind_->setGeometry(10, (height() - size.height()) / 2, std::min(size.width(), room),
-                       size.height());
+    // Below the word, left of the numbers.
+    const int room = static_cast<int>(rowOf(0).left()) - 46 - 8;
+    kind_->setGeometry(8, static_cast<int>(kRow), std::min(kind_->sizeHint().width(), room),
+                       static_cast<int>(kRow) - 2);
 }
 
 void SurpriseStrip::resizeEvent(QResizeEvent* event) {
@@ -131,7 +134,9 @@ void SurpriseStrip::takeValues() {
         // Worse than an even guess; where there is no such thing, what few exceed.
         odd_[mover] =
             isProbability ? uniformSurprise(graph_.model(static_cast<int>(mover))) : usual;
-        top_ = std::max({top_, usual, isProbability ? 1.15 * odd_[mover] : 0.0});
+        // What is much worse than an even guess need not be told apart.
+        const double most = isProbability ? kMostGuesses * odd_[mover] : usual;
+        top_ = std::max({top_, std::min(usual, most), isProbability ? 1.15 * odd_[mover] : 0.0});
     }
     setVisible(graph_.isActive() && graph_.hasGraph());
     invalidate();
@@ -191,6 +196,10 @@ void SurpriseStrip::paintStill(QPainter& painter) const {
         const QRectF row = rowOf(mover);
         painter.fillRect(QRectF(0, mover * kRow + 1, 4, kRow - 2), c.fighters[mover]);
         painter.setPen(c.secondText);
+        if (mover == 0) {
+            painter.drawText(QRectF(12, row.top() - 2, row.left() - 50, row.height() + 4),
+                             Qt::AlignLeft | Qt::AlignVCenter, tr("surprise"));
+        }
         painter.drawText(QRectF(row.left() - 40, row.top() - 2, 35, row.height() + 4),
                          Qt::AlignRight | Qt::AlignVCenter, QString::number(top_, 'f', 1));
         painter.setPen(c.line);

@@ -77,7 +77,7 @@ QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int ro
             .arg(surpriseName(graph_.options().surprise));
     }
     if (role != Qt::DisplayRole) return {};
-    const QString texts[] = {tr("time"), tr("own → next | opponent"), tr("surprise")};
+    const QString texts[] = {tr("time"), tr("own → next"), tr("surprise")};
     return texts[section];
 }
 
@@ -94,6 +94,7 @@ TraceBox::TraceBox(GraphSession& graph, QWidget* parent)
     heading->setProperty("role", "heading");
     layout->addWidget(heading);
     what_->setWordWrap(true);
+    what_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     what_->setProperty("role", "second");
     what_->setAccessibleName(tr("What is selected"));
     layout->addWidget(what_);

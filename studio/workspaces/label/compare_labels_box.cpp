@@ -154,7 +154,7 @@ CompareLabelsBox::CompareLabelsBox(LabelSession& labels, QWidget* parent)
     };
     fix(table_, DifferencesModel::TimeColumn, QStringLiteral("00:00.0"));
     fix(aspects_, 1, tr("both"));
-    fix(aspects_, 2, QStringLiteral("100 %"));
+    fix(aspects_, 2, QStringLiteral("100 % 0"));
     fix(aspects_, 3, QStringLiteral("0.00"));
     theirsButton_->setToolTip(tr("Their value, as said by a hand; goes on to the next (Enter)"));
     mineButton_->setToolTip(tr("What the project says stays; goes on to the next (Backspace)"));
