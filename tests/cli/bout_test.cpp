@@ -83,9 +83,10 @@ TEST_F(BoutCommandLine, AnAvatarFollowsItsScript) {
         kumite({"bout", project, "--mode", "avatar", "--avatar", "2", "--seconds", "6", "--script",
                 script.string(), "--command-first", "--out", out("avatar")});
     ASSERT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(log("avatar")["commands"].size(), 3u);
+    const auto json = log("avatar");
+    EXPECT_EQ(json["commands"].size(), 3u);
     int commanded = 0;
-    for (const auto& choice : log("avatar")["choices"]) {
+    for (const auto& choice : json["choices"]) {
         if (!choice.contains("commanded")) continue;
         ++commanded;
         EXPECT_EQ(choice["player"], 2);

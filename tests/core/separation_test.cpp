@@ -95,35 +95,31 @@ TEST(Separation, PushesTrunksApartWithoutAJump) {
 
 TEST(Separation, AHandStopsAtTheOtherBody) {
     Two two;
-    // The left arm points along +x, into a body that stands beside: the wrist is in its trunk.
+    // The left arm points along +x. The other one, turned so that its arms are out of the way,
+    // comes nearer until the wrist is in its trunk.
     const Pose a = standing(*two.rig, 0, 0);
-    double before = 0;
-    for (int i = 0; i < 40; ++i) {
-        const Pose b = standing(*two.rig, 0.95 - 0.008 * i, 0);
-        two.show(a, b);
-        std::array<JointFrames, 2> raw;
-        jointFrames(*two.rig, a, raw[0]);
-        jointFrames(*two.rig, b, raw[1]);
-        std::vector<BodyCapsule> p, q;
-        bodyCapsules(two.rig->roles, raw[0].positions, p);
-        bodyCapsules(two.rig->roles, raw[1].positions, q);
-        before = 0;
-        for (const BodyCapsule& one : p) {
-            for (const BodyCapsule& other : q)
-                before = std::max(before, nearness(one.solid, other.solid).depth);
-        }
-        if (before < 0.10) {
-            EXPECT_LT(two.deepest(), 0.03) << i << ": " << before;
-        }
-    }
-    EXPECT_GT(before, 0.03) << "there was something to do";
-    const int wrist = *two.rig->roles[Role::LeftWrist];
     JointFrames rest;
     jointFrames(*two.rig, a, rest);
-    EXPECT_GT((two.joints[0].positions[static_cast<std::size_t>(wrist)] -
-               rest.positions[static_cast<std::size_t>(wrist)])
-                  .norm(),
-              0.01);
+    const auto wrist = static_cast<std::size_t>(*two.rig->roles[Role::LeftWrist]);
+    double before = 0;
+    for (int i = 0; i < 40; ++i) {
+        Pose b = standing(*two.rig, rest.positions[wrist].x() + 0.20 - 0.003 * i, 0);
+        b.turns[0] = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitY());
+        two.show(a, b);
+        JointFrames other;
+        jointFrames(*two.rig, b, other);
+        std::vector<BodyCapsule> p, q;
+        bodyCapsules(two.rig->roles, rest.positions, p);
+        bodyCapsules(two.rig->roles, other.positions, q);
+        before = -1;
+        for (const BodyCapsule& one : p) {
+            for (const BodyCapsule& another : q)
+                before = std::max(before, nearness(one.solid, another.solid).depth);
+        }
+        EXPECT_LT(two.deepest(), 0.03) << i << ": " << before;
+    }
+    EXPECT_GT(before, 0.05) << "there was something to do";
+    EXPECT_GT((two.joints[0].positions[wrist] - rest.positions[wrist]).norm(), 0.02);
 }
 
 // ---- join steps --------------------------------------------------------------------------------
@@ -169,7 +165,7 @@ TEST(JoinSteps, AFootThatHasToGoIsLiftedAndStandsWhenItIsThere) {
         EXPECT_TRUE(stands[1]) << t;
         highest = std::max(highest, footOf(*rig, pose, true).y() - footOf(*rig, shown, true).y());
     }
-    EXPECT_NEAR(highest, 0.06, 0.01);
+    EXPECT_NEAR(highest, 0.09, 0.01);
     Pose pose = shown;
     Standing stands = {true, true};
     steps.apply(*rig, pose, stands, 0.21);
@@ -194,7 +190,7 @@ TEST(JoinSteps, AKneeDoesNotFoldThroughItself) {
         const auto knee = static_cast<std::size_t>(*rig->roles[Role::RightKnee]);
         next.turns[knee] = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
         next.turns[knee].coeffs() *= side;
-        const JoinSteps steps(*rig, shown, next, {true, true}, {true, true}, 0.2);
+        const JoinSteps steps(*rig, next, next, {true, true}, {true, true}, 0.2);
         for (const double angle : {0.2, 2.0, 2.6, 3.0, 3.4}) {
             Pose pose = shown;
             pose.turns[knee] = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
