@@ -57,7 +57,7 @@ std::string boutStripsSvg(const BoutTape& tape, const BoutStripSettings& setting
     for (const ShownAction& shown : firstOfEachLabel(tape, settings.most)) {
         const BoutChoice& choice = *shown.choice;
         const int player = choice.player;
-        const LibraryAction& action = library.fighter(player).action(choice.action);
+        const BoutAction& action = library.fighter(player).action(choice.action);
         const BasicAction& basic = library.graph->action(player, choice.action);
         const LibraryClip& own = library.fighter(player).clipOf(action);
         FilmRow bout, recorded;
