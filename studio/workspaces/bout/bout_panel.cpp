@@ -56,7 +56,7 @@ std::vector<Measure> measures() {
          [](const Quality& q) { return percent(q.footSkate); }},
         {tr("in the floor"), tr("Share of frames with a foot more than 5 mm in the floor"),
          [shareOf](const Quality& q) { return shareOf(q.floor); }},
-        {tr("in each other"), tr("Share of frames with the bodies more than 3 cm in each other"),
+        {tr("overlap"), tr("Share of frames with the bodies more than 3 cm in each other"),
          [shareOf](const Quality& q) { return shareOf(q.interpenetration); }},
         {tr("joins"),
          tr("Joint accelerations where actions are joined, their 99th percentile over "
