@@ -11,8 +11,9 @@
 namespace kumite {
 namespace {
 
-/// Variances do not become 0 by rounding where classes without shrinkage are singular.
-constexpr double kTiny = 1e-12;
+/// Variance that every class has in every direction, of standardised numbers: without shrinkage and
+/// with fewer samples than dimensions the likelihood would have no highest point.
+constexpr double kTiny = 1e-10;
 
 /// The covariances as columns of one matrix (their lower triangles), so that a weighted sum of them
 /// and aᵀW a of all are one product each.
@@ -26,6 +27,7 @@ public:
             for (Eigen::Index j = 0; j < size_; first += size_ - j, ++j) {
                 columns_.col(static_cast<Eigen::Index>(m)).segment(first, size_ - j) =
                     classes[m].covariance.col(j).tail(size_ - j);
+                columns_(first, static_cast<Eigen::Index>(m)) += kTiny;
             }
         }
     }
@@ -149,7 +151,7 @@ SemiTied trainSemiTied(std::span<const ClassMoments> given, const SemiTiedSettin
     Eigen::MatrixXd variances(size, count);
     const auto measure = [&]() -> double {
         for (Eigen::Index i = 0; i < size; ++i)
-            variances.row(i) = covariances.along(a.row(i).transpose()).cwiseMax(kTiny).transpose();
+            variances.row(i) = covariances.along(a.row(i).transpose()).transpose();
         if (samples <= 0) return 0;
         const double logs = counts.dot(variances.array().log().matrix().colwise().sum()) / samples;
         const double constant = static_cast<double>(size) * (std::log(2 * std::numbers::pi) + 1);
@@ -166,9 +168,6 @@ SemiTied trainSemiTied(std::span<const ClassMoments> given, const SemiTiedSettin
             const Eigen::VectorXd weights = counts.cwiseQuotient(variances.row(i).transpose());
             covariances.weightedSum(weights, scatter);
             const Eigen::VectorXd row = bestRow(scatter, inverse.col(i), samples);
-            // Without shrinkage, fewer samples than dimensions: the likelihood has no highest
-            // point.
-            if (!row.allFinite()) continue;
             // Sherman–Morrison: the inverse after row i has changed.
             const Eigen::RowVectorXd change = (row.transpose() - a.row(i)) * inverse;
             const Eigen::VectorXd column = inverse.col(i);

@@ -42,10 +42,9 @@ struct SemiTiedSettings {
     bool operator==(const SemiTiedSettings&) const = default;
 };
 
-/// Maximum likelihood by sweeps over the rows of A. Covariances must be positive definite in sum;
-/// classes with a count of 0 take no part but get their variances. Where
-/// they are not (no shrinkage, fewer samples than dimensions), rows without a best value stay as
-/// they are. Cancellable.
+/// Maximum likelihood by sweeps over the rows of A; every covariance is made 1e-10 wider, so that
+/// singular ones (no shrinkage, fewer samples than dimensions) have a highest point, too. Classes
+/// with a count of 0 take no part but get their variances. Cancellable.
 SemiTied trainSemiTied(std::span<const ClassMoments> classes, const SemiTiedSettings& settings = {},
                        const Progress& progress = {});
 
