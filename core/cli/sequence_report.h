@@ -21,8 +21,8 @@ struct TransitionOptions {
 void addTransitionOptions(CLI::App& command, TransitionOptions& options);
 
 /// The clips of these names as a sequence; each transition draws from a seed of its own. Throws
-/// Error for a name that means nothing, or that asks for a target (`C@x,y,z`, see library_strikes.h)
-/// that cannot be reached.
+/// Error for a name that means nothing, or that asks for a target (`C@x,y,z`, see
+/// library_strikes.h) that cannot be reached.
 Sequence sequenceOf(const MotionLibrary& library, const std::vector<std::string>& names,
                     const TransitionOptions& options);
 

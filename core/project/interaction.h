@@ -68,8 +68,9 @@ struct Moment {
     int opponent = kAnyNode;
     int ownAction = -1;  ///< of B; -1: none
     int opponentAction = -1;
-    /// n¹ᵢ and n²ⱼ over whole actions, in the frame of reference of this moment, and in a model with
-    /// targets where the mover really is half a second later; empty where one of them is missing.
+    /// n¹ᵢ and n²ⱼ over whole actions, in the frame of reference of this moment, and in a model
+    /// with targets where the mover really is half a second later; empty where one of them is
+    /// missing.
     Eigen::VectorXd numbers;
     /// The observed transition whose next action begins at this very frame.
     std::optional<int> transition;
