@@ -357,7 +357,7 @@ void expectSane(const Bout& bout, const Bout* before) {
 TEST_F(BoutTest, ALongBoutStaysSane) {
     Bout bout(library, seeded(11));
     std::set<std::pair<int, int>> actions;
-    for (int i = 0; i < 60 * 240; ++i) {
+    for (int i = 0; i < 60 * 80; ++i) {
         const Bout before = i % 7 == 0 ? bout : Bout(bout);
         bout.step();
         expectSane(bout, &before);
