@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QTest>
 
+#include <functional>
 #include <set>
 
 #include "studio/timeline/timeline_view.h"
@@ -14,6 +15,15 @@ namespace {
 
 QImage pictureOf(QWidget& widget) {
     return widget.grab().toImage().convertToFormat(QImage::Format_ARGB32);
+}
+
+/// The picture of a 3D view once it shows what is wished; one that is being resized shows the last
+/// picture stretched for a moment.
+testing::AssertionResult soonShows(QWidget& view,
+                                   const std::function<bool(const QImage&)>& wished) {
+    if (QTest::qWaitFor([&] { return wished(pictureOf(view)); }, 5000))
+        return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "not within five seconds";
 }
 
 /// Pixels whose hue is a fighter's.
@@ -53,19 +63,18 @@ TEST_F(WindowTest, PictureFollowsThePlayhead) {
     const QImage second = pictureOf(window_->stage());
     EXPECT_NE(first, second);
     session().transport().setPlayhead(1.0);
-    EXPECT_EQ(first, pictureOf(window_->stage()));
+    EXPECT_TRUE(soonShows(window_->stage(), [&](const QImage& p) { return p == first; }));
 }
 
 TEST_F(WindowTest, DrawingSurvivesResizing) {
     openBout();
     for (const QSize size : {QSize(1000, 640), QSize(1700, 1000), QSize(1280, 800)}) {
         window_->resize(size);
-        QTest::qWait(60);
-        const QImage image = pictureOf(window_->stage());
-        EXPECT_EQ(image.size(), window_->stage().size() * window_->devicePixelRatio());
-        const FighterPixels pixels = count(image);
-        EXPECT_GT(pixels.vermilion, 1000) << size.width();
-        EXPECT_EQ(pixels.holes, 0);
+        EXPECT_TRUE(soonShows(window_->stage(), [&](const QImage& image) {
+            const FighterPixels pixels = count(image);
+            return image.size() == window_->stage().size() * window_->devicePixelRatio() &&
+                   pixels.vermilion > 1000 && pixels.holes == 0;
+        })) << size.width();
     }
 }
 
@@ -78,12 +87,11 @@ TEST_F(WindowTest, DrawingSurvivesANewContext) {
     stage->resize(700, 500);
     stage->show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(stage));
-    QTest::qWait(60);
-    EXPECT_GT(count(pictureOf(*stage)).vermilion, 1000);
+    const auto bodies = [](const QImage& p) { return count(p).vermilion > 1000; };
+    EXPECT_TRUE(soonShows(*stage, bodies));
     stage->setParent(home);
     stage->show();
-    QTest::qWait(60);
-    EXPECT_GT(count(pictureOf(*stage)).vermilion, 1000);
+    EXPECT_TRUE(soonShows(*stage, bodies));
 }
 
 TEST_F(WindowTest, MouseTurnsMovesAndZooms) {
@@ -100,17 +108,16 @@ TEST_F(WindowTest, MouseTurnsMovesAndZooms) {
     press(Qt::Key_3, Qt::AltModifier);
     EXPECT_NE(turned, pictureOf(stage));
     QTest::keyClick(&timeline(), Qt::Key_F);
-    EXPECT_GT(count(pictureOf(stage)).vermilion, 2000);
+    EXPECT_TRUE(soonShows(stage, [](const QImage& p) { return count(p).vermilion > 2000; }));
 }
 
 TEST_F(WindowTest, ThemeChangesTheBackground) {
     openBout();
+    const auto corner = [](const QImage& image) { return image.pixelColor(20, 20).lightness(); };
     window_->setTheme(ThemeChoice::Light);
-    QTest::qWait(30);
-    EXPECT_GT(pictureOf(window_->stage()).pixelColor(20, 20).lightness(), 200);
+    EXPECT_TRUE(soonShows(window_->stage(), [&](const QImage& p) { return corner(p) > 200; }));
     window_->setTheme(ThemeChoice::Dark);
-    QTest::qWait(30);
-    EXPECT_LT(pictureOf(window_->stage()).pixelColor(20, 20).lightness(), 80);
+    EXPECT_TRUE(soonShows(window_->stage(), [&](const QImage& p) { return corner(p) < 80; }));
 }
 
 TEST_F(WindowTest, TimelineIsDrawnAtEveryZoom) {
