@@ -1,7 +1,7 @@
 #include "core/cli/library_options.h"
 
 #include "core/base/files.h"
-#include "core/formats/bvh.h"
+#include "core/project/kept_clip.h"
 
 namespace kumite::cli {
 
@@ -42,8 +42,7 @@ std::shared_ptr<const FlexibleGraph> openGraph(std::shared_ptr<const MotionLibra
 }
 
 void writeClip(const MotionLibrary& library, const Clip& clip, const std::string& path) {
-    const Motion motion = motionOf(clip, library.skeleton, library.space);
-    writeFileAtomically(path, bvhText(motion, motion.frames(), motion.frameTime));
+    writeFileAtomically(path, clipText(library, clip));
 }
 
 }  // namespace kumite::cli

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/error.h"
+#include "core/formats/json_text.h"
 
 namespace kumite {
 namespace {
@@ -59,6 +60,37 @@ MaybeEdit setBodyModel(const Project& project, const BodyModel& model) {
 MaybeEdit restoreVersion(const Project& project, const Project& version, const std::string& when) {
     if (version == project) return std::nullopt;
     return Edit{version, "Restore the version of " + when};
+}
+
+MaybeEdit addClips(const Project& project, const std::vector<std::filesystem::path>& clips) {
+    Edit edit{project, "Add clips"};
+    auto& all = edit.project.clips;
+    for (const auto& clip : clips) {
+        if (std::find(all.begin(), all.end(), clip) == all.end()) all.push_back(clip);
+    }
+    if (all == project.clips) return std::nullopt;
+    return edit;
+}
+
+MaybeEdit removeClips(const Project& project, const std::vector<std::filesystem::path>& clips) {
+    Edit edit{project, "Remove clips"};
+    std::erase_if(edit.project.clips, [&](const auto& clip) {
+        return std::find(clips.begin(), clips.end(), clip) != clips.end();
+    });
+    if (edit.project.clips == project.clips) return std::nullopt;
+    return edit;
+}
+
+MaybeEdit setDraft(const Project& project, const std::string& kind, const std::string& json,
+                   std::string edit) {
+    Edit changed{project, std::move(edit)};
+    if (json.empty()) {
+        changed.project.drafts.erase(kind);
+    } else {
+        changed.project.drafts[kind] = parseJson(json, "draft " + kind).dump();
+    }
+    if (changed.project.drafts == project.drafts) return std::nullopt;
+    return changed;
 }
 
 MaybeEdit addTake(const Project& project, const Take& take) {

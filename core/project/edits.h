@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/project/analysis.h"
 #include "core/project/project.h"
@@ -63,6 +64,16 @@ MaybeEdit setBodyModel(const Project& project, const BodyModel& model);
 
 /// Brings back a whole earlier state. `when` says which: "10:32".
 MaybeEdit restoreVersion(const Project& project, const Project& version, const std::string& when);
+
+// What motions are made from, and what is being made.
+
+/// Adds files or folders to the clips; those that are there already stay once.
+MaybeEdit addClips(const Project& project, const std::vector<std::filesystem::path>& clips);
+MaybeEdit removeClips(const Project& project, const std::vector<std::filesystem::path>& clips);
+/// Replaces the draft of a kind by a JSON text; no text removes it. `edit` is what the history
+/// shows. Throws InputError if it is no JSON.
+MaybeEdit setDraft(const Project& project, const std::string& kind, const std::string& json,
+                   std::string edit);
 
 // Takes.
 

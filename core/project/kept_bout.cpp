@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <fmt/format.h>
 
 #include "core/base/files.h"
 #include "core/formats/bvh.h"
+#include "core/project/bout.h"
 #include "core/project/import.h"
 #include "core/project/labels.h"
+#include "core/project/new_files.h"
 #include "core/segmentation/boundary_comparison.h"
 
 namespace kumite {
@@ -85,12 +88,16 @@ std::vector<int> innerBoundaries(const FighterAnalysis& fighter) {
 
 }  // namespace
 
-const Fighter& fighterLike(const Project& project, int player) {
+const Fighter& fighterLike(const Project& project, const Rig& rig, int player) {
     for (const Take& take : project.takes) {
-        const auto slot = static_cast<std::size_t>(player);
-        if (take.fighters.size() == 2 && take.fighters[slot].motion) return take.fighters[slot];
+        if (take.fighters.size() != 2) continue;
+        const Fighter& fighter = take.fighters[static_cast<std::size_t>(player)];
+        if (fighter.motion && sameJoints(rig, *fighter.motion->skeleton)) return fighter;
     }
-    throw Error(fmt::format("No take of two has its recording of player {}.", player + 1));
+    throw Error(
+        fmt::format("No take of two has a recording of player {} with the skeleton of the "
+                    "bout: it was removed since the bout was begun.",
+                    player + 1));
 }
 
 std::array<Motion, 2> boutMotions(const Project& project, const BoutTape& tape,
@@ -98,7 +105,7 @@ std::array<Motion, 2> boutMotions(const Project& project, const BoutTape& tape,
     const std::array<Clip, 2> clips = boutClips(tape, progress.part(0, 0.6));
     std::array<Motion, 2> motions;
     for (const std::size_t p : {0, 1}) {
-        const Fighter& like = fighterLike(project, static_cast<int>(p));
+        const Fighter& like = fighterLike(project, *clips[p].rig, static_cast<int>(p));
         const double from = p == 0 ? 0.6 : 0.8;
         motions[p] =
             motionOf(clips[p], like.motion->skeleton, like.space, progress.part(from, from + 0.2));
@@ -119,16 +126,16 @@ KeptBout keepBout(const Project& project, const Analysis& analysis, const BoutTa
     named.name = name;
     named.fighters.resize(1);
     addTake(project, named);
-    for (const char* ending : {"-1.bvh", "-2.bvh", ".json"}) {
+    for (const char* ending : {"-1.bvh", "-2.bvh", ".json"})
         kept.files.push_back(folder / (name + ending));
-        if (std::filesystem::exists(kept.files.back())) {
-            throw Error(fmt::format("{} is there already: choose another name.",
-                                    kept.files.back().string()));
-        }
-    }
+    NewFiles written(kept.files);
+    const BoutLibrary& library = tape.first().library();
+    const std::array<std::reference_wrapper<const Fighter>, 2> likes = {
+        fighterLike(project, *library.fighter(0).rig, 0),
+        fighterLike(project, *library.fighter(1).rig, 1)};
     const std::array<Motion, 2> motions = boutMotions(project, tape, progress.part(0, 0.4));
     for (const std::size_t p : {0, 1}) {
-        const Fighter& like = fighterLike(project, static_cast<int>(p));
+        const Fighter& like = likes[p];
         writeFileAtomically(kept.files[p],
                             bvhText(motions[p], motions[p].frames(), motions[p].frameTime));
         FighterRequest fighter;
@@ -141,9 +148,7 @@ KeptBout keepBout(const Project& project, const Analysis& analysis, const BoutTa
     writeFileAtomically(kept.files[2], boutLog(tape));
     Take take = importTake(request, progress.part(0.4, 0.6)).take;
     for (const std::size_t p : {0, 1}) {
-        const Fighter& like = fighterLike(project, static_cast<int>(p));
-        if (take.fighters[p].motion->skeleton->jointCount() == like.motion->skeleton->jointCount())
-            take.fighters[p].roles = like.roles;
+        take.fighters[p].roles = likes[p].get().roles;
     }
     kept.edit = *addTake(project, take);
     kept.edit.name = "Keep bout as take " + name;
@@ -165,7 +170,6 @@ KeptBout keepBout(const Project& project, const Analysis& analysis, const BoutTa
             correctionsFor(wanted, detected, kCorrectionReach * rate);
     }
     now = analyse(kept.edit.project, now, progress.part(0.8, 0.9));
-    const BoutLibrary& library = tape.first().library();
     std::vector<ActionAnswer> answers;
     for (const int player : {0, 1}) {
         const auto shown = actionsShown(tape, player);
@@ -185,6 +189,7 @@ KeptBout keepBout(const Project& project, const Analysis& analysis, const BoutTa
     if (const auto labelled = setLabels(kept.edit.project, now, answers))
         kept.edit.project = labelled->project;
     progress.update(1);
+    written.stay();
     return kept;
 }
 

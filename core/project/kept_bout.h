@@ -12,8 +12,8 @@ namespace kumite {
 std::array<Motion, 2> boutMotions(const Project& project, const BoutTape& tape,
                                   const Progress& progress = {});
 /// The fighter whose recording lends a player of bouts its skeleton: of the first take of two whose
-/// recording is there. Throws Error where there is none.
-const Fighter& fighterLike(const Project& project, int player);
+/// recording is there and has the rig's joints. Throws Error where there is none.
+const Fighter& fighterLike(const Project& project, const Rig& rig, int player);
 
 /// A bout that became a take.
 struct KeptBout {

@@ -93,6 +93,12 @@ struct Project {
     SegmentationSettings segmentation;
     BodyModel bodyModel = deLevaMale();
     LabelSettings labelling;
+    /// Motion files, folders of them and projects beside the takes that motions are made from;
+    /// absolute while in memory.
+    std::vector<std::filesystem::path> clips;
+    /// What is being authored, by its kind ("sequence", "keys"), as JSON; whoever authors it reads
+    /// it. A kind that this version does not know stays as it is.
+    std::map<std::string, std::string> drafts;
 
     bool operator==(const Project&) const = default;
 };

@@ -270,6 +270,14 @@ std::string projectText(const Project& project, const std::filesystem::path& fol
     if (project.labelling != LabelSettings()) {
         json["labelling"] = labelSettingsJson(project.labelling);
     }
+    if (!project.clips.empty()) {
+        Json clips = Json::array();
+        for (const auto& clip : project.clips)
+            clips.push_back(storedPath(clip, folder));
+        json["clips"] = std::move(clips);
+    }
+    for (const auto& [kind, text] : project.drafts)
+        json["drafts"][kind] = Json::parse(text);
     json["takes"] = std::move(takes);
     return prettyJson(json);
 }
@@ -297,6 +305,15 @@ Project parseProject(std::string_view text, const std::string& name,
     project.segmentation = readSettings(reader["segmentation"]);
     project.bodyModel = bodyModelFrom(reader["body_model"]);
     if (reader.has("labelling")) project.labelling = readLabelSettings(reader["labelling"]);
+    if (reader.has("clips")) {
+        const JsonReader clips = reader["clips"];
+        for (std::size_t i = 0; i < clips.size(); ++i)
+            project.clips.push_back(resolved(clips.at(i).text(), folder));
+    }
+    if (reader.has("drafts")) {
+        for (const std::string& kind : reader["drafts"].keys())
+            project.drafts[kind] = json["drafts"][kind].dump();
+    }
     const JsonReader takes = reader["takes"];
     for (std::size_t i = 0; i < takes.size(); ++i) {
         Take take;

@@ -50,6 +50,25 @@ struct SavedBout {
     }
 };
 
+TEST(ProjectFile, ClipsAndDraftsComeBack) {
+    const SavedBout bout;
+    Project project = loadProject(bout.file).project;
+    EXPECT_EQ(readText(bout.file).find("drafts"), std::string::npos);
+    project = addClips(project, {bout.folder / "recordings", "/elsewhere/kick.bvh"})->project;
+    project = setDraft(project, "sequence", "{\"blocks\": [1, 2.5]}", "Add block")->project;
+    project = setDraft(project, "of a later version", "[\"\u00e4\"]", "x")->project;
+    saveProject(project, bout.file);
+    EXPECT_NE(readText(bout.file).find("\"recordings\""), std::string::npos);  // relative
+    EXPECT_EQ(loadProject(bout.file).project, project);
+    EXPECT_FALSE(setDraft(project, "sequence", "{\"blocks\":[1,2.5]}", "x"));
+    EXPECT_FALSE(addClips(project, {"/elsewhere/kick.bvh"}));
+    EXPECT_THROW(setDraft(project, "sequence", "{", "x"), InputError);
+    project = removeClips(project, project.clips)->project;
+    project = setDraft(project, "sequence", "", "Clear")->project;
+    EXPECT_TRUE(project.clips.empty());
+    EXPECT_EQ(project.drafts.size(), 1u);
+}
+
 TEST(ProjectFile, RoundTrip) {
     const SavedBout bout;
     const LoadedProject first = loadProject(bout.file);
