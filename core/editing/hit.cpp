@@ -267,19 +267,6 @@ Rendering warped(const StrikeSpace& space, const std::vector<Pose>& poses,
     return result;
 }
 
-double fastest(const Clip& clip, int joint) {
-    JointFrames frames;
-    double most = 0;
-    Vector3d before = Vector3d::Zero();
-    for (std::size_t f = 0; f < clip.frames.size(); ++f) {
-        jointFrames(*clip.rig, clip.frames[f], frames);
-        const Vector3d at = frames.positions[static_cast<std::size_t>(joint)];
-        if (f > 0) most = std::max(most, (at - before).norm() * clip.rate);
-        before = at;
-    }
-    return most;
-}
-
 HitMotion motionOfSolution(const StrikeSpace& space, const Joints& joints,
                            const HitSolution& solution) {
     std::vector<Pose> poses;
@@ -293,7 +280,7 @@ HitMotion motionOfSolution(const StrikeSpace& space, const Joints& joints,
     }
     Rendering rendering = warped(space, poses, times, 1.0);
     constexpr double kFaster = 1.1, kSlowest = 1.5;
-    const double speed = fastest(rendering.clip, joints.striking);
+    const double speed = fastestOf(rendering.clip, joints.striking);
     if (speed > kFaster * space.fastest && space.fastest > 0) {
         rendering =
             warped(space, poses, times, std::min(kSlowest, speed / (kFaster * space.fastest)));

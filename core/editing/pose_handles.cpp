@@ -286,18 +286,25 @@ Pose withinLimits(const Rig& rig, Pose pose) {
 
 DragResult withJointTurn(const Rig& rig, const Pose& pose, int joint, const Quaterniond& turn,
                          const Pins& pins) {
-    Drag drag(rig, pose, pins);
-    drag.set(joint, turn.normalized());
-    // What the turned joint carries goes with it; the other pinned handles stay.
-    std::optional<Handle> carried;
-    for (const Handle handle : kHandles) {
-        const auto at = handleJoint(rig, handle);
-        for (int j = at.value_or(-1); j >= 0; j = rig.joint(j).parent) {
-            if (j == joint && limbEnd(handle) && joint != rig.roles[Role::Pelvis]) carried = handle;
+    const auto carries = [&](int ancestor, int of) {
+        for (int j = of; j >= 0; j = rig.joint(j).parent) {
+            if (j == ancestor) return true;
+        }
+        return false;
+    };
+    // What the turned joint carries goes with it; the other pinned handles stay. A turn of the
+    // whole body carries nothing.
+    Pins staying = pins;
+    if (!carries(joint, rig.roles[Role::Pelvis].value_or(0))) {
+        for (const Handle handle : kHandles) {
+            if (limbEnd(handle) && carries(joint, handleJoint(rig, handle).value_or(-1)))
+                staying[handle] = false;
         }
     }
-    drag.restore(carried.value_or(Handle::Hips));
-    return {drag.pose(), 0, drag.slipped(carried)};
+    Drag drag(rig, pose, staying);
+    drag.set(joint, turn.normalized());
+    drag.restore(Handle::Hips);
+    return {drag.pose(), 0, drag.slipped({})};
 }
 
 }  // namespace kumite

@@ -23,6 +23,11 @@ struct Gap {
     int wanted = 1, least = 1, most = 1;
 };
 
+/// A gap in frames; none is longer than any library.
+int frames(double gap) {
+    return static_cast<int>(std::min(gap, 1e6));
+}
+
 /// The question in the form that the inner loops want.
 struct Query {
     std::vector<Gap> gaps;  ///< one per key, the first unused
@@ -35,9 +40,8 @@ struct Query {
             Gap gap;
             if (k > 0) {
                 gap.wanted = keys.frames[k] - keys.frames[k - 1];
-                gap.least = std::max(1, static_cast<int>(gap.wanted * settings.fastest));
-                gap.most =
-                    std::max(gap.least, static_cast<int>(std::ceil(gap.wanted * settings.slowest)));
+                gap.least = std::max(1, frames(gap.wanted * settings.fastest));
+                gap.most = std::max(gap.least, frames(std::ceil(gap.wanted * settings.slowest)));
                 span += gap.most;
             }
             gaps.push_back(gap);
@@ -237,6 +241,7 @@ bool mostlyShared(const KeyMatch& a, const KeyMatch& b) {
 
 void check(const KeySequence& keys) {
     if (keys.bits.empty()) throw Error("There is no key pose to look for.");
+    if (keys.bits.size() > 1000) throw Error("At most 1000 key poses can be looked for.");
     if (keys.frames.size() != keys.bits.size())
         throw Error("Every key pose needs its features and its frame.");
     for (std::size_t k = 1; k < keys.frames.size(); ++k) {

@@ -180,6 +180,19 @@ std::optional<Striker> likeliestStriker(const Clip& clip, FrameRange range) {
     return best;
 }
 
+double fastestOf(const Clip& clip, int joint) {
+    JointFrames frames;
+    double fastest = 0;
+    Vector3d before = Vector3d::Zero();
+    for (std::size_t f = 0; f < clip.frames.size(); ++f) {
+        jointFrames(*clip.rig, clip.frames[f], frames);
+        const Vector3d at = frames.positions[static_cast<std::size_t>(joint)];
+        if (f > 0) fastest = std::max(fastest, (at - before).norm() * clip.rate);
+        before = at;
+    }
+    return fastest;
+}
+
 double floorUnder(const Clip& clip) {
     const JointPositions positions = positionsOf(clip);
     std::optional<double> floor;

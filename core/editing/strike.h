@@ -59,6 +59,9 @@ struct Strike {
 /// Cuts a strike out of a clip and brings it into its own frame. `floor` in metres.
 Strike strikeFrom(const Clip& clip, const StrikeMoment& moment, double floor, std::string name);
 
+/// The greatest speed of a joint from frame to frame, m/s; 0 in a single frame.
+double fastestOf(const Clip& clip, int joint);
+
 /// The floor under a clip: the lower of both feet's rest heights (method A2b), metres; 0 without
 /// feet.
 double floorUnder(const Clip& clip);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "core/base/error.h"
 #include "core/editing/time_alignment.h"
 
 namespace kumite {
@@ -51,9 +52,12 @@ Times alignedTimes(const Clip& reference, FrameRange range, const Clip& other,
                    FrameRange otherRange, const std::vector<int>& joints, int slopeLimit) {
     const AlignmentGrid grid =
         alignmentGrid(pointsOf(reference, range, joints), pointsOf(other, otherRange, joints));
-    std::optional<TimeAlignment> alignment;
-    for (int limit = slopeLimit; !alignment; ++limit)
-        alignment = alignInTime(grid, limit);
+    // As steep as it must be where one side is much longer.
+    const int longer = std::max(grid.rows, grid.columns);
+    const int shorter = std::max(1, std::min(grid.rows, grid.columns));
+    const auto alignment =
+        alignInTime(grid, std::max({1, slopeLimit, (longer + shorter - 1) / shorter - 1}));
+    if (!alignment) throw Error("Two examples of the strike cannot be aligned in time.");
     const int smoothing = 2 * static_cast<int>(std::lround(0.05 * reference.rate)) + 1;
     return {matchingTimes(*alignment, smoothing), alignment->cost};
 }
@@ -72,19 +76,6 @@ Times timesOf(const Strike& reference, const Strike& example, const std::vector<
     for (std::size_t i = 1; i < after.frames.size(); ++i)
         all.frames.push_back(example.hit + after.frames[i]);
     return all;
-}
-
-double fastestOf(const Clip& clip, int joint) {
-    JointFrames frames;
-    double fastest = 0;
-    Vector3d before = Vector3d::Zero();
-    for (std::size_t f = 0; f < clip.frames.size(); ++f) {
-        jointFrames(*clip.rig, clip.frames[f], frames);
-        const Vector3d at = frames.positions[static_cast<std::size_t>(joint)];
-        if (f > 0) fastest = std::max(fastest, (at - before).norm() * clip.rate);
-        before = at;
-    }
-    return fastest;
 }
 
 /// All weights of `count` examples that are multiples of 1/steps.

@@ -42,8 +42,8 @@ struct Search {
     const AlignmentGrid& grid;
     int limit;
     int states;
-    std::vector<double> costs;       ///< rows × columns × states
-    std::vector<std::uint8_t> from;  ///< the state before
+    std::vector<double> costs;        ///< rows × columns × states
+    std::vector<std::uint16_t> from;  ///< the state before
 
     Search(const AlignmentGrid& g, int slopeLimit)
         : grid(g), limit(slopeLimit), states(1 + 2 * slopeLimit) {
@@ -65,7 +65,7 @@ struct Search {
             const double cost = costs[index(row, column, state)];
             if (cost < costs[to]) {
                 costs[to] = cost;
-                from[to] = static_cast<std::uint8_t>(state);
+                from[to] = static_cast<std::uint16_t>(state);
             }
         }
     }

@@ -72,16 +72,17 @@ public:
         const int firstJoint = static_cast<int>(nodes_.size());
         const std::vector<Vector3d> rest = standingRest(rig);
         addJoints(rig, rest[0]);
-        const int skin = addSkin(figure, rest, firstJoint);
-        const int mesh = addBody(figure, rest);
-
         // A skinned mesh stands beside its skeleton: transforms above it would not move it.
         const int root = static_cast<int>(nodes_.size());
         nodes_.push_back({{"name", asStored(figure.name)}, {"children", {firstJoint}}});
-        nodes_.push_back(
-            {{"name", asStored(figure.name + " body")}, {"mesh", mesh}, {"skin", skin}});
         sceneNodes_.push_back(root);
-        sceneNodes_.push_back(root + 1);
+        // A single joint has no body.
+        if (const BodyMesh body = bodyMesh(rig); !body.positions.empty()) {
+            nodes_.push_back({{"name", asStored(figure.name + " body")},
+                              {"mesh", addBody(figure, body, rest)},
+                              {"skin", addSkin(figure, rest, firstJoint)}});
+            sceneNodes_.push_back(root + 1);
+        }
         addTracks(figure, firstJoint);
     }
 
@@ -91,15 +92,17 @@ public:
             {"scene", 0},
             {"scenes", {{{"name", asStored(title_)}, {"nodes", sceneNodes_}}}},
             {"nodes", nodes_},
-            {"meshes", meshes_},
-            {"materials", materials_},
-            {"skins", skins_},
             {"animations",
              {{{"name", asStored(title_)}, {"samplers", samplers_}, {"channels", channels_}}}},
             {"accessors", buffer_.accessors_},
             {"bufferViews", buffer_.views_},
             {"buffers", {{{"byteLength", buffer_.bytes_.size()}}}},
         };
+        if (!meshes_.empty()) {
+            document["meshes"] = meshes_;
+            document["materials"] = materials_;
+            document["skins"] = skins_;
+        }
         std::string json = document.dump();
         json.resize((json.size() + 3) / 4 * 4, ' ');
         std::string binary = std::move(buffer_.bytes_);
@@ -171,8 +174,7 @@ private:
         return static_cast<int>(skins_.size()) - 1;
     }
 
-    int addBody(const GltfFigure& figure, const std::vector<Vector3d>& rest) {
-        const BodyMesh body = bodyMesh(*figure.clip->rig);
+    int addBody(const GltfFigure& figure, const BodyMesh& body, const std::vector<Vector3d>& rest) {
         std::vector<float> positions, normals, weights;
         std::vector<std::uint16_t> joints;
         for (std::size_t i = 0; i < body.positions.size(); ++i) {

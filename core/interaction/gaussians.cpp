@@ -8,6 +8,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/interaction/log_determinant.h"
+
 namespace kumite {
 namespace {
 
@@ -155,7 +157,7 @@ SemiTied trainSemiTied(std::span<const ClassMoments> given, const SemiTiedSettin
         if (samples <= 0) return 0;
         const double logs = counts.dot(variances.array().log().matrix().colwise().sum()) / samples;
         const double constant = static_cast<double>(size) * (std::log(2 * std::numbers::pi) + 1);
-        return std::log(std::abs(a.partialPivLu().determinant())) - 0.5 * (logs + constant);
+        return logDeterminant(a) - 0.5 * (logs + constant);
     };
 
     SemiTied result;

@@ -9,6 +9,8 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include "core/interaction/log_determinant.h"
+
 namespace kumite {
 namespace {
 
@@ -123,7 +125,7 @@ GeometryTerm::GeometryTerm(const GeometrySettings& settings, const Eigen::Matrix
             break;
     }
     for (const Eigen::MatrixXd& transform : transforms_)
-        logDeterminants_.push_back(std::log(std::abs(transform.partialPivLu().determinant())));
+        logDeterminants_.push_back(logDeterminant(transform));
     for (std::size_t m = 0; m < moments.size(); ++m) {
         Gaussian gaussian;
         gaussian.count = moments[m].count;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <string_view>
 #include <vector>
 
 #include "core/interaction/transition_model.h"
@@ -24,8 +22,6 @@ struct Surprise {
 
 /// Which of them is meant.
 enum class SurpriseKind { Both, Label, Geometry };
-inline constexpr std::array kSurpriseKinds = {SurpriseKind::Both, SurpriseKind::Label,
-                                              SurpriseKind::Geometry};
 double valueOf(const Surprise& surprise, SurpriseKind kind);
 
 /// One per transition of the model's mover. The label term is learnt anew without each transition,

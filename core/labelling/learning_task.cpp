@@ -107,7 +107,7 @@ void TaskMachine::answer(std::span<const float> squaredDistances, Prediction* as
         if (!task_.givenLimb) return;
         // As sure as the less sure of both steps; with one qualifier seen, the first step decides.
         first.margin = machine_ ? std::min(limb.margin, answer.margin) : limb.margin;
-        first.confidence = limb.confidence * (machine_ ? answer.probability : 0.0);
+        first.confidence = machine_ ? limb.confidence * answer.probability : limb.confidence;
         first.blind = limb.blind;
         if (!machine_ || (limb.second != kUnknown && limb.margin < answer.margin)) {
             first.second = limb.second;
@@ -142,7 +142,7 @@ void resolveConflicts(const Vocabulary& vocabulary, Prediction* aspects) {
             Prediction& kept = aspects[weaker == i ? other : i];
             withdrawn.second = withdrawn.qualifier;
             withdrawn.qualifier = *vocabulary[weaker].fallback;
-            if (withdrawn.confidence > 0 && kept.confidence > 0) {
+            if (withdrawn.confidence > 0) {
                 shareBetween(kept, withdrawn);
             } else {
                 withdrawn.secondConfidence = withdrawn.confidence = 0;

@@ -24,7 +24,6 @@ public:
 
     /// Leg length of the target over the source's; 1 where a rig has no legs.
     double scale() const { return scale_; }
-    const std::shared_ptr<const Rig>& target() const { return target_; }
     /// What the target cannot show of the source and the reverse: roles that only one of them has,
     /// proportions that differ.
     const Findings& losses() const { return losses_; }

@@ -22,13 +22,6 @@ double boutRate(double rate) {
     return rate;
 }
 
-bool sameJoints(const Rig& rig, const Skeleton& skeleton) {
-    return std::equal(rig.joints.begin(), rig.joints.end(), skeleton.joints.begin(),
-                      skeleton.joints.end(), [](const Rig::Joint& a, const Joint& b) {
-                          return a.name == b.name && a.parent == b.parent;
-                      });
-}
-
 /// A fighter's take at the bout's rate, in its space.
 LibraryClip clipFor(const FighterAnalysis& values, const FighterTrack& track,
                     const std::shared_ptr<const Rig>& rig, double rate, const Progress& progress) {
@@ -87,6 +80,13 @@ FrameRange framesHeld(const CoupledGraph& graph, int player, int take,
 
 }  // namespace
 
+bool sameJoints(const Rig& rig, const Skeleton& skeleton) {
+    return std::equal(rig.joints.begin(), rig.joints.end(), skeleton.joints.begin(),
+                      skeleton.joints.end(), [](const Rig::Joint& a, const Joint& b) {
+                          return a.name == b.name && a.parent == b.parent;
+                      });
+}
+
 std::shared_ptr<const BoutLibrary> boutLibrary(const Project& project, const Analysis& analysis,
                                                const Interaction& interaction,
                                                const Progress& progress) {
@@ -131,8 +131,8 @@ std::shared_ptr<const BoutLibrary> boutLibrary(const Project& project, const Ana
         source.geometryTerms[mover] = interaction.models[mover]->geometry;
         source.rows[mover] = interaction.models[mover]->numbers;
     }
-    auto library = std::make_shared<BoutLibrary>(*boutLibrary(std::move(source)));
-    library->findings = std::move(findings);
+    source.findings = std::move(findings);
+    auto library = boutLibrary(std::move(source));
     progress.update(1);
     return library;
 }

@@ -18,6 +18,9 @@ std::shared_ptr<const BoutLibrary> boutLibrary(const Project& project, const Ana
                                                const Interaction& interaction,
                                                const Progress& progress = {});
 
+/// Whether a skeleton has a rig's joints, by name and parent.
+bool sameJoints(const Rig& rig, const Skeleton& skeleton);
+
 /// A captured attack: consecutive actions of one fighter.
 struct CapturedAttack {
     int attacker = 0;          ///< player

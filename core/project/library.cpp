@@ -260,16 +260,21 @@ LibraryAction actionNamed(const MotionLibrary& library, std::string_view name) {
     }
     const LibraryMotion& motion = library.motions[static_cast<std::size_t>(action->motion)];
     const double perFrame = library.rate / motion.sourceRate;
-    const auto bound = [&](std::string_view text, int missing) {
-        if (text.empty()) return missing;
+    const auto frameIn = [&](std::string_view text) {
         const auto frame = parseInteger(text);
         if (!frame || *frame < 0)
             throw Error(fmt::format("\"{}\": expected frames as A:B after the @.", name));
-        return static_cast<int>(std::lround(*frame * perFrame));
+        return *frame;
+    };
+    // Of what lies far behind the end it is enough to know that it does.
+    const auto shown = [&](double frame) {
+        return static_cast<int>(std::min(std::floor(frame * perFrame + 1e-6), 1e9));
     };
     // A file's frames count from its beginning; an action's name takes those of its take too.
-    const FrameRange frames{bound(parts[0], action->frames.begin),
-                            bound(parts[1], action->frames.end)};
+    // The frame before the end is the last: where it is shown, that frame is the last, too.
+    const FrameRange frames{
+        parts[0].empty() ? action->frames.begin : shown(frameIn(parts[0]) + 0.5 / perFrame),
+        parts[1].empty() ? action->frames.end : shown(frameIn(parts[1]) - 1.0) + 1};
     if (frames.empty() || frames.begin < action->frames.begin || frames.end > action->frames.end) {
         throw Error(fmt::format("\"{}\": these frames are not in it; it has {} to {}.", name,
                                 std::lround(action->frames.begin / perFrame),

@@ -120,8 +120,7 @@ private:
     ActionSummary summaryOf(int player, const Playing& playing) const;
     Eigen::VectorXd momentNumbers(int player, const Playing& own, const Playing& opponent,
                                   const GroundFrame& ground) const;
-    ChoiceRules rulesFor(int player, const Playing& own, const Playing& opponent,
-                         bool* commanded) const;
+    ChoiceRules rulesFor(int player, const Playing& own, const Playing& opponent) const;
     Eigen::Vector2d reachableTarget() const;
     void choose(int player, const std::array<Playing, 2>& before);
     void begin(int player, BoutChoice choice);

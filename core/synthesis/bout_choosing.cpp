@@ -83,8 +83,7 @@ Eigen::VectorXd Bout::momentNumbers(int player, const Playing& own, const Playin
                              nullptr, *library_->poses, library_->components);
 }
 
-ChoiceRules Bout::rulesFor(int player, const Playing& own, const Playing& opponent,
-                           bool* commanded) const {
+ChoiceRules Bout::rulesFor(int player, const Playing& own, const Playing& opponent) const {
     const LibraryFighter& fighter = library_->fighter(player);
     ChoiceRules rules;
     rules.temperature = settings_.temperature;
@@ -105,7 +104,6 @@ ChoiceRules Bout::rulesFor(int player, const Playing& own, const Playing& oppone
         const bool attacked =
             theirs.role == ActionRole::Strike && opponent.time.shownAt(theirs.moment) > opponent.at;
         if (!attacked || !settings_.reactFirst) {
-            *commanded = true;
             rules.command.assign(nodes, 0);
             for (const int node : wishNodes_)
                 rules.command[static_cast<std::size_t>(node)] = 1;
@@ -154,7 +152,6 @@ void Bout::choose(int player, const std::array<Playing, 2>& before) {
         known.tail<2>() = ground.toLocal(reachableTarget());
         choice.steered = true;
     }
-    bool commanded = false;
     Joining joining;
     if (settings_.joinSpread > 0) {
         joining.shown =
@@ -165,7 +162,7 @@ void Bout::choose(int player, const std::array<Playing, 2>& before) {
     }
     choice.options =
         optionsOf(model->candidates(own.node, opponent.node, known, settings_.score, joining),
-                  rulesFor(player, own, opponent, &commanded));
+                  rulesFor(player, own, opponent));
     choice.number = drawn(settings_.seed, static_cast<std::uint64_t>(player),
                           static_cast<std::uint64_t>(fighter.choices++));
     const Option* chosen = &choice.options.drawn(choice.number);

@@ -112,14 +112,6 @@ std::string hashOf(const CoupledGraph& graph, const std::array<Eigen::MatrixXd, 
     return sha256(bytes);
 }
 
-std::vector<char> nodesThat(const BoutLibrary& library, int player,
-                            bool (*test)(const Vocabulary&, const Label&)) {
-    std::vector<char> list;
-    for (const GraphNode& node : library.graph->nodes[static_cast<std::size_t>(player)])
-        list.push_back(test(library.vocabulary(), node.label));
-    return list;
-}
-
 }  // namespace
 
 Station LibraryClip::stationAt(double frame) const {
@@ -150,6 +142,7 @@ std::shared_ptr<const BoutLibrary> boutLibrary(LibrarySource source) {
     library->numbers = source.numbers;
     library->poses = source.poses;
     library->hash = hashOf(*source.graph, source.rows);
+    library->findings = std::move(source.findings);
     for (const std::size_t p : {0, 1}) {
         LibraryFighter& fighter = library->fighters[p];
         const int player = static_cast<int>(p);
@@ -206,11 +199,10 @@ std::shared_ptr<const BoutLibrary> withAvatar(std::shared_ptr<const BoutLibrary>
 }
 
 std::vector<char> strikingNodes(const BoutLibrary& library, int player) {
-    return nodesThat(library, player, strikes);
-}
-
-std::vector<char> reactingNodes(const BoutLibrary& library, int player) {
-    return nodesThat(library, player, reacts);
+    std::vector<char> list;
+    for (const GraphNode& node : library.graph->nodes[static_cast<std::size_t>(player)])
+        list.push_back(strikes(library.vocabulary(), node.label));
+    return list;
 }
 
 std::vector<int> commandedNodes(const BoutLibrary& library, int player, const std::string& words) {

@@ -101,6 +101,7 @@ struct LibrarySource {
     std::array<GeometryTerm, 2> geometryTerms;
     std::array<Eigen::MatrixXd, 2> rows;            ///< of transitionMatrix
     std::array<std::vector<LibraryClip>, 2> clips;  ///< by take; empty ones where there is none
+    Findings findings;                              ///< what was left out
 };
 std::shared_ptr<const BoutLibrary> boutLibrary(LibrarySource source);
 
@@ -111,8 +112,6 @@ std::shared_ptr<const BoutLibrary> withAvatar(std::shared_ptr<const BoutLibrary>
 
 /// By node of a player: whether one of the label's aspects strikes.
 std::vector<char> strikingNodes(const BoutLibrary& library, int player);
-/// By node of a player: whether the label answers something.
-std::vector<char> reactingNodes(const BoutLibrary& library, int player);
 
 /// Nodes that a key of the interactive mode asks for, through the action table R: "kick" and
 /// "punch" (what aspects strike with), an aspect ("right_kick", "jump"), or one with a qualifier

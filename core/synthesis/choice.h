@@ -45,7 +45,6 @@ public:
                 int nextNumbers, const Eigen::MatrixXf& firstPoses = {});
 
     const LabelTerm& labelTerm() const { return labels_; }
-    int nodeCount() const { return labels_.nodeCount(); }
     int sampleCount() const { return static_cast<int>(transitions_.size()); }
     int knownNumbers() const { return known_; }
     /// Whether a node has a sample that could be shown.

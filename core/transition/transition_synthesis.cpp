@@ -53,12 +53,10 @@ TransitionReport located(const FlexibleGraph& graph, PathSearch& search, std::sp
     return report;
 }
 
-/// A pose at the origin that faces along +z.
+/// What brings a pose's root over the origin and its heading to +z.
 GroundTransform toHome(const Rig& rig, const Pose& pose) {
-    Pose home = pose;
-    home.root.setZero();
-    home.turns[0].setIdentity();
-    return groundAlignment(rig, pose, home);
+    const double yaw = headingOf(rig, pose).value_or(0.0);
+    return GroundTransform{-yaw, 0, 0} * GroundTransform{0, -pose.root.x(), -pose.root.z()};
 }
 
 /// The step on the ground from one pose to the next, in the frame of the first.
@@ -240,8 +238,10 @@ MotionStrip::Led MotionStrip::lead(MotionPart action, const TransitionRequest& r
     Led led;
     led.report = located(graph, search_, before, action.poses);
     TransitionReport& report = led.report;
-    report.method = request.method.value_or(report.candidates.empty() ? TransitionMethod::Bezier
-                                                                      : TransitionMethod::Graph);
+    // Who asks for a certain path hears that there is none.
+    const bool curve = report.candidates.empty() && !request.path;
+    report.method =
+        request.method.value_or(curve ? TransitionMethod::Bezier : TransitionMethod::Graph);
     if (report.method == TransitionMethod::Graph) {
         report.chosen = chosenPath(report.candidates, request);
         report.visited = report.candidates[static_cast<std::size_t>(report.chosen)].nodes;

@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/formats/recording.h"
 #include "tests/cli/command_line.h"
+#include "tests/cli/labelled_demo.h"
 #include "tests/support/fixtures.h"
 
 namespace kumite {
@@ -15,22 +16,8 @@ namespace {
 using test::kumite;
 using test::Result;
 
-class BoutCommandLine : public testing::Test {
+class BoutCommandLine : public test::LabelledDemo {
 protected:
-    static inline test::TemporaryFolder* folder = nullptr;
-    static inline std::string project, bare;
-
-    static void SetUpTestSuite() {
-        folder = new test::TemporaryFolder;
-        const std::string out = (*folder / "demo").string();
-        ASSERT_EQ(kumite({"demo", "--out", out, "--seconds", "30", "--seed", "5"}).code, 0);
-        project = out + "/demo.kumite";
-        bare = out + "/bare.kumite";
-        test::writeText(bare, test::readText(project));
-        ASSERT_EQ(kumite({"label", project, "--import", out + "/truth.json"}).code, 0);
-    }
-    static void TearDownTestSuite() { delete folder; }
-
     static std::string out(const std::string& name) { return (*folder / name).string(); }
     static nlohmann::json log(const std::string& name) {
         return nlohmann::json::parse(test::readText(*folder / name / "log.json"));

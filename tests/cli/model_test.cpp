@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/command_line.h"
+#include "tests/cli/labelled_demo.h"
 #include "tests/support/fixtures.h"
 
 namespace kumite {
@@ -11,25 +12,8 @@ namespace {
 using test::kumite;
 using test::Result;
 
-/// One labelled bout for all tests: making it costs most of the time.
-class ModelCommand : public testing::Test {
+class ModelCommand : public test::LabelledDemo {
 protected:
-    static inline test::TemporaryFolder* folder = nullptr;
-    static inline std::string project, bare;
-
-    static void SetUpTestSuite() {
-        folder = new test::TemporaryFolder;
-        const std::string out = (*folder / "demo").string();
-        ASSERT_EQ(kumite({"demo", "--out", out, "--seconds", "30", "--seed", "5"}).code, 0);
-        project = out + "/demo.kumite";
-        bare = out + "/bare.kumite";
-        test::writeText(bare, test::readText(project));
-        ASSERT_EQ(kumite({"label", project, "--import", out + "/truth.json"}).code, 0);
-    }
-    static void TearDownTestSuite() {
-        delete folder;
-        folder = nullptr;
-    }
     nlohmann::json json(const std::vector<std::string>& words) {
         const Result result = kumite(words);
         EXPECT_EQ(result.code, 0) << result.err;

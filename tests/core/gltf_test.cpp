@@ -333,6 +333,20 @@ TEST(Gltf, SkinsFollowTheirJoints) {
     EXPECT_LT(farthest, std::hypot(0.1, 0.09) + 1e-6);
 }
 
+TEST(Gltf, AJointAloneHasNoBody) {
+    auto rig = std::make_shared<Rig>(*swayingHuman(1, 60).rig);
+    rig->joints.resize(1);
+    rig->roles = RoleMap();
+    Clip clip{rig, 60, {Pose{}, Pose{}}};
+    for (Pose& pose : clip.frames)
+        pose.turns.assign(1, Eigen::Quaterniond::Identity());
+    const Glb glb(glbBytes(std::vector<GltfFigure>{{"player1", &clip, 0, {1, 1, 1}}}, "point"));
+    EXPECT_FALSE(glb.document.contains("meshes"));
+    EXPECT_FALSE(glb.document.contains("skins"));
+    for (const json& view : glb.document["bufferViews"])
+        EXPECT_GT(view["byteLength"].get<int>(), 0);
+}
+
 TEST(Gltf, RefusesNothing) {
     EXPECT_THROW(glbBytes({}, "none"), Error);
     const Clip empty{swayingHuman(1, 60).rig, 60, {}};

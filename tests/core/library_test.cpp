@@ -97,6 +97,18 @@ TEST(Library, StretchesByFramesOfTheFile) {
     }
 }
 
+TEST(Library, AStretchToTheLastFrameEndsThereAtAnyRate) {
+    test::TemporaryFolder folder;
+    writeBobbing(folder / "kick.bvh");
+    for (const double rate : {30.0, 60.0, 120.0}) {
+        const MotionLibrary library = loadLibrary({folder / "kick.bvh"}, {rate}).library;
+        const FrameRange whole = actionNamed(library, "kick").frames;
+        EXPECT_EQ(actionNamed(library, "kick@0:121").frames, whole) << rate;
+        EXPECT_THROW(actionNamed(library, "kick@0:123"), Error) << rate;
+        EXPECT_THROW(actionNamed(library, "kick@0:2147483647"), Error) << rate;
+    }
+}
+
 TEST(Library, TheFloorLiesAtZero) {
     test::TemporaryFolder folder;
     const auto motion = test::bobbing(61, 30, [](double) { return 0.4; });

@@ -153,6 +153,19 @@ TEST(PoseHandles, AJointTurnedByHand) {
     const DragResult turned =
         withJointTurn(rig, guard(), hips, Quaterniond(Eigen::AngleAxisd(0.3, Vector3d::UnitY())));
     EXPECT_LT(turned.slipped, 1e-3);
+    // A chest takes both hands along, pinned or not; the feet stay.
+    Pins pins = feetPinned();
+    pins[Handle::LeftHand] = pins[Handle::RightHand] = true;
+    const int chest = *rig.roles[Role::Chest];
+    const DragResult twisted = withJointTurn(
+        rig, guard(), chest, Quaterniond(Eigen::AngleAxisd(0.3, Vector3d::UnitY())), pins);
+    const DragResult free =
+        withJointTurn(rig, guard(), chest, Quaterniond(Eigen::AngleAxisd(0.3, Vector3d::UnitY())));
+    for (const Handle hand : {Handle::LeftHand, Handle::RightHand}) {
+        const Vector3d there = *handlePoint(rig, twisted.pose, hand);
+        EXPECT_LT((there - *handlePoint(rig, free.pose, hand)).norm(), 1e-9);
+        EXPECT_GT((there - *handlePoint(rig, guard(), hand)).norm(), 0.02);
+    }
 }
 
 TEST(PoseHandles, WhatARigLacksChangesNothing) {

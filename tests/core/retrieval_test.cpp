@@ -200,6 +200,13 @@ TEST(Retrieval, ManyKeysCostNoOverflow) {
     const auto found = findSimilar(library, keys);
     ASSERT_FALSE(found.empty());
     EXPECT_EQ(found.front().mismatches, 60 * kPoseBitCount);
+    // Keys far from each other lie beyond any library; more than a thousand are refused.
+    EXPECT_TRUE(findSimilar(library, {{1, 2, 4}, {0, 1'000'000'000, 2'000'000'000}}).empty());
+    while (keys.bits.size() <= 1000) {
+        keys.bits.push_back(0);
+        keys.frames.push_back(keys.frames.back() + 1);
+    }
+    EXPECT_THROW(findSimilar(library, keys), Error);
 }
 
 }  // namespace

@@ -158,6 +158,14 @@ TEST(TimeAlignment, SaysWhereNoPathIs) {
     EXPECT_EQ(matchingTimes(*one), std::vector<double>{0});
 }
 
+TEST(TimeAlignment, OneFrameBesideManyWithTheLimitThatItNeeds) {
+    const AlignmentGrid grid = gridOf({1}, std::vector<double>(300, 1.0));
+    EXPECT_FALSE(alignInTime(grid, 298));
+    const auto found = alignInTime(grid, 299);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->path.size(), 300u);
+}
+
 TEST(TimeAlignment, FindsTheTimesOfASlowerMotion) {
     const auto fast = cloud(40, 1.5), slow = cloud(60);
     const auto found = alignInTime(alignmentGrid(fast, slow));
