@@ -6,7 +6,9 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QListView>
 #include <QTabBar>
+#include <QTableView>
 
 namespace kumite::studio {
 
@@ -21,25 +23,32 @@ bool leads(int key) {
            key == Qt::Key_PageDown;
 }
 
+template <typename Kind>
+bool is(const QWidget& widget) {
+    return qobject_cast<const Kind*>(&widget) != nullptr;
+}
+
+/// Lists, and tables of which rows are chosen: ← and → lead nowhere in them.
+bool hasRowsAlone(const QWidget& widget) {
+    const auto* table = qobject_cast<const QTableView*>(&widget);
+    return is<QListView>(widget) ||
+           (table != nullptr && table->selectionBehavior() == QAbstractItemView::SelectRows);
+}
+
 }  // namespace
 
 bool worksControl(const QWidget& focused, const QKeyEvent& key) {
-    const auto is = [&focused](auto* kind) {
-        return qobject_cast<decltype(kind)>(&focused) != nullptr;
-    };
     const Qt::KeyboardModifiers held = key.modifiers() & ~Qt::KeypadModifier;
-    if (is(static_cast<const QAbstractButton*>(nullptr))) {
-        return key.key() == Qt::Key_Space && held == Qt::NoModifier;
-    }
-    const bool choices = is(static_cast<const QComboBox*>(nullptr));
+    if (is<QAbstractButton>(focused)) return key.key() == Qt::Key_Space && held == Qt::NoModifier;
+    const bool choices = is<QComboBox>(focused);
     const bool opens = key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;
     if (choices && held == Qt::AltModifier && opens) return true;
     if (choices && held == Qt::NoModifier && key.key() == Qt::Key_Space) return true;
     if (!leads(key.key()) || (held & ~Qt::ShiftModifier)) return false;
-    return choices || is(static_cast<const QAbstractSlider*>(nullptr)) ||
-           is(static_cast<const QAbstractItemView*>(nullptr)) ||
-           is(static_cast<const QTabBar*>(nullptr)) ||
-           is(static_cast<const QAbstractSpinBox*>(nullptr));
+    const bool sideways = key.key() == Qt::Key_Left || key.key() == Qt::Key_Right;
+    if (sideways && hasRowsAlone(focused)) return false;
+    return choices || is<QAbstractSlider>(focused) || is<QAbstractItemView>(focused) ||
+           is<QTabBar>(focused) || is<QAbstractSpinBox>(focused);
 }
 
 }  // namespace kumite::studio

@@ -7,7 +7,8 @@ namespace kumite::studio {
 
 /// Whether a key works the control that has the focus, so that it is no command's: Space presses a
 /// button; arrows, Home, End and the keys of pages lead through sliders, fields of numbers, boxes
-/// of choices, tabs, lists and tables, with Shift too. Combined with Ctrl or Alt they stay
+/// of choices, tabs, lists and tables, with Shift too; ← and →
+/// stay commands where rows alone are chosen. Combined with Ctrl or Alt they stay
 /// commands, but for what opens a box of choices.
 bool worksControl(const QWidget& focused, const QKeyEvent& key);
 

@@ -18,6 +18,7 @@
 #include "studio/app/commands.h"
 #include "studio/app/history_model.h"
 #include "studio/app/opening.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/session.h"
 #include "studio/app/takes_list.h"
 #include "studio/app/theme.h"
@@ -104,8 +105,7 @@ DocumentPanel::DocumentPanel(Session& session, QWidget* parent)
 QHBoxLayout* DocumentPanel::addSection(const QString& title, QWidget* list) {
     auto* row = new QHBoxLayout;
     row->setSpacing(0);
-    auto* heading = new QLabel(title, this);
-    heading->setProperty("role", "heading");
+    auto* heading = headingLabel(title, this);
     heading->setContentsMargins(4, 0, 0, 0);
     row->addWidget(heading);
     row->addStretch(1);

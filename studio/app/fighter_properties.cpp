@@ -19,6 +19,7 @@
 #include "studio/app/body_models.h"
 #include "studio/app/commands.h"
 #include "studio/app/opening.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/questions.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
@@ -30,8 +31,7 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 
 QLabel* headingOf(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("role", "heading");
+    auto* label = headingLabel(text, parent);
     label->setContentsMargins(0, 8, 0, 0);
     return label;
 }

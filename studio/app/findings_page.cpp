@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "studio/app/icons.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
@@ -64,8 +65,7 @@ void FindingsPage::fill() {
     const Colours& c = coloursFor(palette());
     const QColor amber = c.dark ? c.accent : QColor("#b87700");
     for (const FindingsLog::Group& group : findings_.groups()) {
-        auto* heading = new QLabel(group.about, content_);
-        heading->setProperty("role", "heading");
+        auto* heading = headingLabel(group.about, content_);
         heading->setContentsMargins(0, 4, 0, 0);
         rows_->addWidget(heading);
         for (const Finding& finding : group.findings) {

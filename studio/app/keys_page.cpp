@@ -18,6 +18,7 @@
 #include <algorithm>
 
 #include "studio/app/commands.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/questions.h"
 
 namespace kumite::studio {
@@ -51,8 +52,7 @@ QWidget* groupBox(const KeyGroup& group, QWidget* parent) {
     rows->setContentsMargins(0, 0, 0, 12);
     rows->setHorizontalSpacing(12);
     rows->setVerticalSpacing(3);
-    auto* title = new QLabel(group.title, box);
-    title->setProperty("role", "heading");
+    auto* title = headingLabel(group.title, box);
     rows->addWidget(title, 0, 0, 1, 2);
     for (std::size_t i = 0; i < group.rows.size(); ++i) {
         auto* keys = new QLabel(group.rows[i].keys, box);

@@ -254,9 +254,12 @@ void MainWindow::refreshTitle() {
 
 void MainWindow::refreshIcons() {
     commands_->refreshIcons();
-    const QIcon pause = lineIcon(QStringLiteral("pause"), coloursFor(palette()).text);
-    if (session_.transport().isPlaying()) commands_->action("transport.play")->setIcon(pause);
-    if (bout_ != nullptr && bout_->isPlaying()) commands_->action("bout.play")->setIcon(pause);
+    const auto showPause = [this](const char* command) {
+        commands_->action(QLatin1String(command))
+            ->setIcon(lineIcon(QStringLiteral("pause"), coloursFor(palette()).text));
+    };
+    if (session_.transport().isPlaying()) showPause("transport.play");
+    if (bout_ != nullptr && bout_->isPlaying()) showPause("bout.play");
 }
 
 void MainWindow::showKeysHint() {

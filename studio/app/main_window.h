@@ -158,7 +158,6 @@ private:
     LabelReview* labelReview_ = nullptr;
     LabelLanes* labelLanes_ = nullptr;
     BoutSession* bout_ = nullptr;
-    QWidget* boutBox_ = nullptr;  ///< in the timeline's place in the Bout workspace
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;

@@ -123,24 +123,29 @@ void MainWindow::addBoutWorkspace() {
                   [this] { workspaces_->show(QStringLiteral("label")); });
     page->addStep(tr("Take over labels…"), tr("From a table of labels, or a made bout's truth"),
                   [this] { exchange_->askForImport(); });
-    boutBox_ = new QWidget(rows_);
-    rows_->setStretchFactor(rows_->indexOf(boutBox_), 0);
-    rows_->setCollapsible(rows_->indexOf(boutBox_), false);
-    auto* box = new QVBoxLayout(boutBox_);
+    auto* below = new QWidget(rows_);  // in the timeline's place
+    auto* box = new QVBoxLayout(below);
     box->setContentsMargins(0, 0, 0, 0);
     box->setSpacing(0);
-    box->addWidget(new BoutBar(*bout_, *commands_, boutBox_));
-    box->addWidget(new BoutStrip(*bout_, boutBox_), 1);
+    box->addWidget(new BoutBar(*bout_, *commands_, below));
+    box->addWidget(new BoutStrip(*bout_, below), 1);
     new BoutStage(*bout_, *stage_, this);
-    const auto follow = [this] {
+    const auto follow = [this, below] {
         const bool shown = workspaces_->current() == QLatin1String("bout");
-        boutBox_->setVisible(shown);
+        below->setVisible(shown);
         timelineBox_->setVisible(!shown);
         bout_->setActive(shown);
         // What had the focus may be hidden now; the next key would press some button.
         if (shown) stage_->setFocus();
     };
-    connect(bout_, &BoutSession::stateChanged, this, &MainWindow::refreshIcons);
+    connect(bout_, &BoutSession::stateChanged, this, [this, playing = false]() mutable {
+        // Every edit changes a bout's state; drawing all icons anew is for when it plays or stops.
+        if (playing != bout_->isPlaying()) {
+            playing = bout_->isPlaying();
+            refreshIcons();
+        }
+        if (bout_->isActive()) showKeysHint();
+    });
     connect(workspaces_, &Workspaces::changed, bout_, follow);
     follow();
 }

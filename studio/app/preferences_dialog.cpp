@@ -14,6 +14,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/app/key_editor.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/preferences.h"
 
 namespace kumite::studio {
@@ -72,8 +73,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     form->setVerticalSpacing(10);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     const auto heading = [&](const QString& text) {
-        auto* label = new QLabel(text, page);
-        label->setProperty("role", "heading");
+        auto* label = headingLabel(text, page);
         if (form->rowCount() > 0) label->setContentsMargins(0, 10, 0, 0);
         form->addRow(label);
     };

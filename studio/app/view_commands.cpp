@@ -51,8 +51,10 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
     const QString menu = text("3&D view");
     const QString group = QLatin1Char('-') + menu;
     const auto open = [&session] { return session.playerCount() > 0; };
-    const auto two = [&session] { return session.playerCount() > 1; };
     StageView* view = &stage;
+    // What looks at the recording has nothing to do while a made motion is shown.
+    const auto recorded = [&session, view] { return session.playerCount() > 0 && !view->isLive(); };
+    const auto two = [&session, view] { return session.playerCount() > 1 && !view->isLive(); };
 
     commands.add({"view.front",
                   menu,
@@ -77,7 +79,7 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                   text("Over the shoulder of fighter 1"),
                   {QKeySequence("Alt+4")},
                   [view] { view->lookOverShoulder(0); },
-                  open});
+                  recorded});
     commands.add({"view.shoulder2",
                   menu,
                   text("Over the shoulder of fighter 2"),
@@ -128,7 +130,7 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                   text("&Leave a ghost here"),
                   {QKeySequence("G")},
                   [view] { view->addGhost(); },
-                  open});
+                  recorded});
     commands.add({"view.clearGhosts",
                   menu,
                   text("Remove all ghosts"),
@@ -141,20 +143,20 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                   text("&Measure"),
                   {QKeySequence("M")},
                   [view] { view->setMeasuring(!view->isMeasuring()); },
-                  open,
+                  recorded,
                   [view] { return view->isMeasuring(); }});
     commands.add({"view.nextJoint",
                   menu,
                   text("Measure: next joint"),
                   {QKeySequence("Alt+PgDown")},
                   [view] { view->stepJoint(1); },
-                  open});
+                  recorded});
     commands.add({"view.previousJoint",
                   menu,
                   text("Measure: joint before"),
                   {QKeySequence("Alt+PgUp")},
                   [view] { view->stepJoint(-1); },
-                  open});
+                  recorded});
     commands.add({"view.takeJoint",
                   menu,
                   text("Measure from, then to this joint"),

@@ -31,11 +31,21 @@ double relativeLuminance(const QColor& colour) {
 
 /// What must not vanish under another cell of the same pixel.
 int weightOf(const LaneCell& cell) {
-    constexpr int kWeights[] = {0, 1, 7, 6, 4, 3};  // Open, Nothing, Hand, Accepted, Proposed, Rule
-    const int more = cell.look == LaneLook::Nothing    ? cell.byHand
-                     : cell.look == LaneLook::Proposed ? cell.uncertain
-                                                       : 0;
-    return kWeights[static_cast<std::size_t>(cell.look)] + more;
+    switch (cell.look) {
+        case LaneLook::Open:
+            return 0;
+        case LaneLook::Nothing:
+            return cell.byHand ? 2 : 1;
+        case LaneLook::Rule:
+            return 3;
+        case LaneLook::Proposed:
+            return cell.uncertain ? 5 : 4;
+        case LaneLook::Accepted:
+            return 6;
+        case LaneLook::Hand:
+            return 7;
+    }
+    return 0;
 }
 
 /// Paints the lanes of one row.
@@ -69,8 +79,7 @@ public:
         const Ink& ink = inkOf(lane, cell);
         painter_.fillRect(block, ink.fill);
         if (cell.uncertain) painter_.fillRect(block, QBrush(ink.colour, Qt::BDiagPattern));
-        const bool outlined = cell.look == LaneLook::Rule || cell.uncertain;
-        if (outlined && block.width() > 3) {
+        if (cell.look == LaneLook::Rule || cell.uncertain) {
             painter_.setPen(QPen(ink.outline, 1));
             painter_.setBrush(Qt::NoBrush);
             painter_.drawRect(block.adjusted(0, 0, -1, -1));
@@ -117,7 +126,7 @@ private:
     }
 
     const Ink& inkOf(int lane, const LaneCell& cell) {
-        constexpr int kLooks = 6;
+        constexpr int kLooks = int(LaneLook::Rule) + 1;
         const auto row = static_cast<std::size_t>(lane);
         if (row >= inks_.size()) inks_.resize(row + 1);
         const auto index =

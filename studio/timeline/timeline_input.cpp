@@ -12,6 +12,7 @@
 
 #include "studio/timeline/lanes.h"
 #include "studio/timeline/timeline_view.h"
+#include "studio/timeline/wheel.h"
 
 namespace kumite::studio {
 
@@ -197,12 +198,7 @@ void TimelineView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void TimelineView::wheelEvent(QWheelEvent* event) {
-    const QPoint turned = event->angleDelta();
-    const double delta = turned.y() != 0 ? turned.y() : turned.x();
-    const TimeMapping changed =
-        event->modifiers() & Qt::ControlModifier
-            ? mapping().zoomedAbout(event->position().x(), std::pow(1.002, delta))
-            : mapping().panned(0.8 * delta);
+    const TimeMapping changed = afterWheel(mapping(), *event);
     session_.setVisible({changed.begin, changed.end});
     event->accept();
 }

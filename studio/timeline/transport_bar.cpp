@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "studio/app/commands.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 
@@ -25,25 +26,12 @@ TransportBar::TransportBar(Session& session, CommandTable& commands, QWidget* pa
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);
-    const auto addButton = [&](const char* command) {
-        auto* button = new QToolButton(this);
-        button->setDefaultAction(commands.action(QLatin1String(command)));
-        button->setAccessibleName(button->defaultAction()->text());
-        button->setFocusPolicy(Qt::TabFocus);
-        button->setIconSize({16, 16});
-        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-        layout->addWidget(button);
-    };
     for (const char* command : {"transport.begin", "transport.back", "transport.play",
                                 "transport.on", "transport.end", "transport.loop"}) {
-        addButton(command);
+        layout->addWidget(iconButton(commands, command, this));
     }
     layout->addSpacing(10);
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() + 2);
-    time_->setFont(large);
-    time_->setMinimumWidth(QFontMetrics(large).horizontalAdvance(QStringLiteral("00:00.000")));
-    time_->setAccessibleName(tr("Time"));
+    showAsClock(time_, tr("Time"));
     layout->addWidget(time_);
     layout->addSpacing(8);
     frame_->setProperty("role", "second");

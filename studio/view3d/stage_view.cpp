@@ -53,13 +53,12 @@ Viewport StageView::viewport() const {
 }
 
 void StageView::takeChanged() {
-    if (live_) return;
     scene_->measuring.click(std::nullopt);
     scene_->measuring.hovered.reset();
     followed_.reset();
     ghostTimes_.clear();
     bodiesChanged();
-    frameAll();
+    if (!live_) frameAll();
     Q_EMIT switchesChanged();
 }
 
@@ -84,6 +83,7 @@ void StageView::beginLive(std::array<std::vector<Bone>, 2> bones) {
     followed_.reset();
     scene_->bones = std::move(bones);
     scene_->stage.clearGhosts();
+    Q_EMIT switchesChanged();
 }
 
 void StageView::showLive(std::array<FigurePose, 2> poses) {
@@ -103,6 +103,7 @@ void StageView::endLive() {
     followed_.reset();
     bodiesChanged();
     frameAll();
+    Q_EMIT switchesChanged();
 }
 
 void StageView::setPointingAtFloor(bool on) {

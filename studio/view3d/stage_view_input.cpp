@@ -81,11 +81,10 @@ void StageView::mouseReleaseEvent(QMouseEvent* event) {
         showLabels();
     } else if (event->button() == Qt::LeftButton || menu) {
         const auto player = fighterAt(event->position());
-        const auto floor = pointsAtFloor_ && !menu ? floorAt(event->position()) : std::nullopt;
-        if (floor) {
-            Q_EMIT floorClicked(*floor);
-        } else if (player) {
+        if (player) {
             session_.setActivePlayer(*player);
+        } else if (pointsAtFloor_ && !menu) {
+            if (const auto floor = floorAt(event->position())) Q_EMIT floorClicked(*floor);
         }
         if (menu) Q_EMIT menuWanted(player, event->globalPosition().toPoint());
     }

@@ -375,11 +375,19 @@ TEST_F(GraphTest, WhichSurpriseIsShownIsAChoice) {
     EXPECT_EQ(shown(), QString::number(surprise.label, 'f', 1));
     window_->commands().run("graph.surpriseGeometry");
     EXPECT_EQ(shown(), QString::number(surprise.geometry, 'f', 1));
-    // The next surprise is that of the kind that is chosen.
-    graph().stepSurprise(1);
+    // The next surprise is that of the kind that is chosen: no other lies between.
+    const auto geometry = [&](const TransitionRef& t) { return graph().surpriseOf(t).geometry; };
+    const double from = geometry(*graph().current());
     press(Qt::Key_N);
+    const double to = geometry(*graph().current());
+    EXPECT_LE(to, from);
+    for (const int mover : {0, 1}) {
+        const int count = int(graph().graph().transitionsOf(mover).size());
+        for (int i = 0; i < count; ++i)
+            EXPECT_FALSE(geometry({mover, i}) < from && geometry({mover, i}) > to);
+    }
     window_->commands().run("graph.surpriseBoth");
-    EXPECT_EQ(graph().options().surprise, SurpriseKind::Both);
+    EXPECT_EQ(graph().surpriseKind(), SurpriseKind::Both);
 }
 
 TEST_F(GraphTest, TwoModelsStandBesideEachOtherInTheGraph) {

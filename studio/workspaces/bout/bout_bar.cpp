@@ -1,11 +1,10 @@
 #include "studio/workspaces/bout/bout_bar.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 
-#include "studio/app/commands.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/bout/bout_session.h"
 
@@ -21,21 +20,10 @@ BoutBar::BoutBar(BoutSession& bout, CommandTable& commands, QWidget* parent)
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);
-    for (const char* command : {"bout.start", "bout.back", "bout.play", "bout.on", "bout.end"}) {
-        auto* button = new QToolButton(this);
-        button->setDefaultAction(commands.action(QLatin1String(command)));
-        button->setAccessibleName(button->defaultAction()->text());
-        button->setFocusPolicy(Qt::TabFocus);
-        button->setIconSize({16, 16});
-        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-        layout->addWidget(button);
-    }
+    for (const char* command : {"bout.start", "bout.back", "bout.play", "bout.on", "bout.end"})
+        layout->addWidget(iconButton(commands, command, this));
     layout->addSpacing(10);
-    QFont large = font();
-    large.setPointSizeF(large.pointSizeF() + 2);
-    time_->setFont(large);
-    time_->setMinimumWidth(QFontMetrics(large).horizontalAdvance(QStringLiteral("00:00.000")));
-    time_->setAccessibleName(tr("Time of the bout"));
+    showAsClock(time_, tr("Time of the bout"));
     layout->addWidget(time_);
     layout->addSpacing(8);
     for (QLabel* label : {end_, speed_}) {

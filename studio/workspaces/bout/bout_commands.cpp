@@ -50,6 +50,8 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
         return;
     }
     bout.setPlaying(false);
+    // While the dialog is open another bout may be begun.
+    const BoutTape tape = *bout.tape();
     const QString path = fileToSave(stage.window(), text("Keep the bout as a take"),
                                     suggestion(bout, QStringLiteral(".bvh")),
                                     text("Recordings, NAME-1 and NAME-2 (*.bvh)"));
@@ -58,7 +60,7 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
     const int revision = bout.revision();
     bout.writing().start(
         text("Keeping the bout"),
-        [project = document.project(), analysis = document.analysis(), tape = *bout.tape(),
+        [project = document.project(), analysis = document.analysis(), tape,
          name = info.completeBaseName().toStdString(),
          folder = info.path().toStdString()](const Progress& progress) {
             return keepBout(project, analysis, tape, name, folder, progress);
@@ -84,7 +86,9 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
 }
 
 /// Pictures of every shown frame at 30 Hz: the window shows them one by one while they are written.
-QString writeFilm(BoutSession& bout, StageView& stage, const QString& path) {
+/// Nothing where it was cancelled; a sentence where it failed.
+std::optional<QString> writeFilm(BoutSession& bout, StageView& stage, const QString& path) {
+    bout.jobs().cancel();  // no other bout meanwhile
     QProgressDialog progress(text("Writing the bout"), text("Cancel"), 0, 1000, stage.window());
     progress.setWindowModality(Qt::WindowModal);
     const int head = bout.tape()->frame();
@@ -102,12 +106,14 @@ QString writeFilm(BoutSession& bout, StageView& stage, const QString& path) {
     const bool video = path.endsWith(QLatin1String(".mp4"), Qt::CaseInsensitive);
     const QString failure = video ? writeVideo(frames, path) : writePictures(frames, path);
     bout.seek(head);
+    if (progress.wasCanceled()) return std::nullopt;
     return failure;
 }
 
 void exportBout(BoutSession& bout, StageView& stage) {
     bout.setPlaying(false);
-    QString path = fileToSave(
+    const BoutTape tape = *bout.tape();
+    const QString path = fileToSave(
         stage.window(), text("Export the bout"), suggestion(bout, QStringLiteral(".bvh")),
         text("Motion of both, NAME-1 and NAME-2 (*.bvh);;glTF: skeletons and animation (*.glb);;"
              "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes "
@@ -116,18 +122,20 @@ void exportBout(BoutSession& bout, StageView& stage) {
     QSettings().setValue(QStringLiteral("exportFolder"), QFileInfo(path).absolutePath());
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("png") || suffix == QLatin1String("mp4")) {
-        const QString failure = writeFilm(bout, stage, path);
-        if (failure.isEmpty()) {
+        if (!bout.tape()) return;
+        const std::optional<QString> failure = writeFilm(bout, stage, path);
+        if (!failure) {
+            Q_EMIT bout.session().hinted(text("Cancelled."));
+        } else if (failure->isEmpty()) {
             Q_EMIT bout.session().hinted(text("Written: %1").arg(path));
         } else {
-            Q_EMIT bout.failed(failure);
+            Q_EMIT bout.failed(*failure);
         }
         return;
     }
     bout.writing().start(
         text("Writing the bout"),
-        [project = bout.session().document().project(), tape = *bout.tape(),
-         path](const Progress& progress) {
+        [project = bout.session().document().project(), tape, path](const Progress& progress) {
             writeBout(project, tape, path, progress);
             return path;
         },
@@ -144,6 +152,10 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
     BoutSession* session = &bout;
     StageView* view = &stage;
     const auto there = [session] { return session->tape() != nullptr; };
+    // What is being written is not given up for another file.
+    const auto writable = [session] {
+        return session->tape() != nullptr && !session->writing().isRunning();
+    };
     commands.add({"bout.play",
                   menu,
                   text("&Fight or pause"),
@@ -251,7 +263,7 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                         text("Avatar: key %1").arg(key),
                         {QKeySequence(QString::number(key))},
                         [session, index] {
-                            const auto words = session->commandWords();
+                            const auto& words = session->commandWords();
                             if (index < words.size()) session->ask(words[index]);
                         }};
         command.enabled = [session, index] {
@@ -280,16 +292,16 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                   text("&Keep as a take…"),
                   {QKeySequence("Ctrl+T")},
                   [session, view] { keepAsTake(*session, *view); },
-                  there});
+                  writable});
     commands.add({"bout.export",
                   menu,
                   text("E&xport the bout…"),
                   {QKeySequence("Ctrl+Shift+E")},
                   [session, view] { exportBout(*session, *view); },
-                  there});
+                  writable});
     CommandTable* table = &commands;
     QObject::connect(session, &BoutSession::begun, table, [table, session] {
-        const auto words = session->tape() ? session->commandWords() : std::vector<std::string>();
+        const auto words = session->commandWords();
         for (int key = 1; key <= kAvatarKeys; ++key) {
             const auto index = static_cast<std::size_t>(key - 1);
             table->setText(QStringLiteral("bout.act%1").arg(key),

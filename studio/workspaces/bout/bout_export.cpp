@@ -2,9 +2,12 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
+#include <QFile>
 #include <QFileInfo>
 #include <QProcess>
 #include <QStandardPaths>
+
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/files.h"
@@ -37,6 +40,12 @@ void writeBvhPair(const Project& project, const BoutTape& tape, const QString& p
     }
 }
 
+/// A component of sRGB as the linear light that glTF counts in.
+float linear(float component) {
+    return component <= 0.04045f ? component / 12.92f
+                                 : std::pow((component + 0.055f) / 1.055f, 2.4f);
+}
+
 void writeGltf(const BoutTape& tape, const QString& path, const Progress& progress) {
     const std::array<Clip, 2> clips = boutClips(tape, progress.part(0, 0.5));
     const Colours& c = colours(false);
@@ -45,7 +54,8 @@ void writeGltf(const BoutTape& tape, const QString& path, const Progress& progre
         const QColor colour = c.fighters[player];
         figures[player].name = "player" + std::to_string(player + 1);
         figures[player].clip = &clips[player];
-        figures[player].colour = {colour.redF(), colour.greenF(), colour.blueF()};
+        figures[player].colour = {linear(colour.redF()), linear(colour.greenF()),
+                                  linear(colour.blueF())};
     }
     writeFileAtomically(
         path.toStdString(),
@@ -97,6 +107,7 @@ QString writeVideo(const FilmFrames& frames, const QString& path) {
         if (!frames.goesOn(static_cast<double>(i) / frames.count)) {
             ffmpeg.kill();
             ffmpeg.waitForFinished();
+            QFile::remove(path);
             return {};
         }
         QByteArray bytes;

@@ -18,6 +18,7 @@
 #include <functional>
 #include <numbers>
 
+#include "studio/app/panel_parts.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/bout/bout_session.h"
 #include "studio/workspaces/bout/candidates_model.h"
@@ -25,12 +26,6 @@
 namespace kumite::studio {
 
 namespace {
-
-QLabel* heading(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("role", "heading");
-    return label;
-}
 
 /// What is measured: its name, and its text for a quality; empty where it is not known.
 struct Measure {
@@ -43,21 +38,21 @@ QString percent(const std::optional<double>& share) {
     return share ? QString::number(100 * *share, 'f', 1) + QStringLiteral(" %") : QString();
 }
 
+QString percent(const std::optional<Penetration>& found) {
+    return percent(found ? std::optional(found->share) : std::nullopt);
+}
+
 std::vector<Measure> measures() {
     const auto tr = [](const char* text) { return BoutPanel::tr(text); };
-    const auto shareOf = [](const std::optional<Penetration>& value) {
-        return value ? QString::number(100 * value->share, 'f', 1) + QStringLiteral(" %")
-                     : QString();
-    };
     return {
         {tr("foot skate"),
          tr("Share of frames in which a foot near the floor slides faster than "
             "0.5 m/s"),
          [](const Quality& q) { return percent(q.footSkate); }},
         {tr("in the floor"), tr("Share of frames with a foot more than 5 mm in the floor"),
-         [shareOf](const Quality& q) { return shareOf(q.floor); }},
+         [](const Quality& q) { return percent(q.floor); }},
         {tr("overlap"), tr("Share of frames with the bodies more than 3 cm in each other"),
-         [shareOf](const Quality& q) { return shareOf(q.interpenetration); }},
+         [](const Quality& q) { return percent(q.interpenetration); }},
         {tr("joins"),
          tr("Joint accelerations where actions are joined, their 99th percentile over "
             "that inside recorded actions"),
@@ -225,7 +220,7 @@ QWidget* BoutPanel::makeChoice() {
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(heading(tr("Why this?"), box));
+    layout->addWidget(headingLabel(tr("Why this?"), box));
     choiceText_->setWordWrap(true);
     choiceText_->setProperty("role", "second");
     choiceText_->setAccessibleName(tr("The choice"));
@@ -264,7 +259,7 @@ QWidget* BoutPanel::makeQuality() {
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     auto* head = new QHBoxLayout;
-    head->addWidget(heading(tr("Quality"), box), 1);
+    head->addWidget(headingLabel(tr("Quality"), box), 1);
     judge_->setToolTip(tr("Measures all that was shown, beside the longest recording"));
     judge_->setFocusPolicy(Qt::TabFocus);
     head->addWidget(judge_);

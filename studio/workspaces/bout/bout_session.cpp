@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 
+#include "core/project/kept_bout.h"
 #include "studio/workspaces/graph/graph_session.h"
 
 namespace kumite::studio {
@@ -39,6 +40,10 @@ BoutSource prepared(const Project& project, const Analysis& analysis, BoutSettin
     source.library = boutLibrary(project, analysis, *from, progress.part(0.6, 0.8));
     if (settings.mode == BoutMode::Avatar)
         source.library = withAvatar(source.library, settings.avatar, progress.part(0.8, 1));
+    for (const int player : {0, 1}) {
+        source.like[std::size_t(player)] =
+            fighterLike(project, *source.library->fighter(player).rig, player);
+    }
     source.settings = settings;
     return source;
 }
@@ -55,7 +60,7 @@ BoutSession::BoutSession(Session& session, QObject* parent) : QObject(parent), s
     const auto changed = [this] {
         outdated_ = true;
         ++revision_;
-        if (active_ && !tape_) due_.start();
+        if (active_ && (anew_ || !tape_)) due_.start();
         Q_EMIT stateChanged();
     };
     connect(&session_.document(), &Document::changed, this, changed);
@@ -69,6 +74,7 @@ BoutSession::BoutSession(Session& session, QObject* parent) : QObject(parent), s
         judgement_.reset();
         recording_.reset();
         pointed_.reset();
+        words_.clear();
         outdated_ = true;
         Q_EMIT begun();
         shown();
@@ -82,6 +88,8 @@ BoutSession::BoutSession(Session& session, QObject* parent) : QObject(parent), s
     connect(&writing_, &JobRunner::failed, this, &BoutSession::failed);
     connect(&jobs_, &JobRunner::finished, this, &BoutSession::stateChanged);
     connect(&judging_, &JobRunner::finished, this, &BoutSession::stateChanged);
+    connect(&writing_, &JobRunner::started, this, &BoutSession::stateChanged);
+    connect(&writing_, &JobRunner::finished, this, &BoutSession::stateChanged);
 }
 
 void BoutSession::setActive(bool active) {
@@ -89,7 +97,7 @@ void BoutSession::setActive(bool active) {
     active_ = active;
     if (!active_) {
         setPlaying(false);
-    } else if (!tape_) {
+    } else if (anew_ || !tape_) {
         due_.start();
     }
     Q_EMIT stateChanged();
@@ -118,13 +126,14 @@ void BoutSession::setWanted(const BoutSettings& settings) {
 
 void BoutSession::begin() {
     setPlaying(false);
+    anew_ = true;
     if (active_) due_.start();
 }
 
 void BoutSession::prepare() {
     const Document& document = session_.document();
     if (!active_ || !document.isOpen() || !document.isCurrent()) return;
-    outdated_ = false;
+    outdated_ = anew_ = false;
     jobs_.start(
         tr("Preparing a bout"),
         [project = document.project(), analysis = document.analysis(), settings = wanted_,
@@ -136,6 +145,7 @@ void BoutSession::prepare() {
 }
 
 void BoutSession::take(BoutSource source) {
+    setPlaying(false);
     source_ = std::make_shared<const BoutSource>(std::move(source));
     tape_.reset();
     pointed_.reset();
@@ -145,18 +155,31 @@ void BoutSession::take(BoutSource source) {
     if (source_->library) {
         attempt([this] { tape_.emplace(source_->library, source_->settings); });
     }
+    gatherWords();
     Q_EMIT begun();
     shown();
 }
 
-/// Core says in a sentence what cannot be done.
-void BoutSession::attempt(const std::function<void()>& act) {
+bool BoutSession::attempt(const std::function<void()>& act) {
     try {
         act();
+        return true;
     } catch (const std::exception& error) {
         setPlaying(false);
         Q_EMIT failed(QString::fromUtf8(error.what()));
+        return false;
     }
+}
+
+bool BoutSession::change(const std::function<void()>& act) {
+    const bool done = attempt(act);
+    pointed_.reset();
+    judging_.cancel();
+    judgement_.reset();
+    shown();
+    Q_EMIT judged();
+    Q_EMIT stateChanged();
+    return done;
 }
 
 void BoutSession::setPlaying(bool playing) {
@@ -240,16 +263,7 @@ void BoutSession::pointTo(std::shared_ptr<const BoutChoice> choice) {
 
 void BoutSession::chooseInstead(const BoutChoice& choice, int node) {
     if (!tape_) return;
-    const std::uint64_t frame = static_cast<std::uint64_t>(choice.frame);
-    attempt([&] {
-        tape_->chooseInstead(choice, node);
-        tape_->seek(static_cast<int>(frame));
-    });
-    pointed_.reset();
-    judgement_.reset();
-    shown();
-    Q_EMIT judged();
-    setPlaying(true);
+    if (change([&] { tape_->chooseInstead(choice, node); })) setPlaying(true);
 }
 
 void BoutSession::reseed(std::uint64_t seed) {
@@ -257,20 +271,19 @@ void BoutSession::reseed(std::uint64_t seed) {
     BoutCommand command;
     command.kind = BoutCommand::Kind::Seed;
     command.seed = seed;
-    attempt([&] { tape_->command(command); });
-    shown();
-    setPlaying(true);
+    if (change([&] { tape_->command(command); })) setPlaying(true);
 }
 
-std::vector<std::string> BoutSession::commandWords() const {
-    std::vector<std::string> words;
-    if (!tape_) return words;
+/// Groups of strikes, then aspects: of each what the avatar really shows.
+void BoutSession::gatherWords() {
+    words_.clear();
+    if (!tape_) return;
     const int avatar = tape_->now().settings().avatar;
     const auto add = [&](const std::string& word) {
-        const bool known = std::find(words.begin(), words.end(), word) != words.end();
+        const bool known = std::find(words_.begin(), words_.end(), word) != words_.end();
         if (known || word.empty()) return;
         try {
-            if (!commandedNodes(library(), avatar, word).empty()) words.push_back(word);
+            if (!commandedNodes(library(), avatar, word).empty()) words_.push_back(word);
         } catch (const std::exception&) {
             // This fighter never shows it: no key for it.
         }
@@ -280,7 +293,6 @@ std::vector<std::string> BoutSession::commandWords() const {
     for (const Aspect& aspect : library().vocabulary().aspects) {
         if (aspect.classifier == Classifier::Msvm) add(aspect.id);
     }
-    return words;
 }
 
 void BoutSession::ask(const std::string& words) {
@@ -289,17 +301,15 @@ void BoutSession::ask(const std::string& words) {
     command.kind = BoutCommand::Kind::Act;
     command.player = tape_->now().settings().avatar;
     command.words = words;
-    attempt([&] { tape_->command(command); });
-    shown();
-    Q_EMIT stateChanged();
+    change([&] { tape_->command(command); });
 }
 
 void BoutSession::release() {
-    if (!steers()) return;
+    // A bout in which nothing is asked for goes on as it is.
+    if (!steers() || tape_->now().wish().empty()) return;
     BoutCommand command;
     command.kind = BoutCommand::Kind::Release;
-    attempt([&] { tape_->command(command); });
-    Q_EMIT stateChanged();
+    change([&] { tape_->command(command); });
 }
 
 void BoutSession::setTarget(const std::optional<Eigen::Vector2d>& target) {
@@ -307,9 +317,7 @@ void BoutSession::setTarget(const std::optional<Eigen::Vector2d>& target) {
     BoutCommand command;
     command.kind = target ? BoutCommand::Kind::Target : BoutCommand::Kind::NoTarget;
     if (target) command.target = *target;
-    attempt([&] { tape_->command(command); });
-    shown();
-    Q_EMIT stateChanged();
+    change([&] { tape_->command(command); });
 }
 
 void BoutSession::judge() {

@@ -21,6 +21,7 @@ namespace kumite::studio {
 struct BoutSource {
     Interaction interaction;                     ///< of the whole document
     std::shared_ptr<const BoutLibrary> library;  ///< for the settings; null where there is none
+    std::array<Fighter, 2> like;                 ///< whose skeletons both have
     BoutSettings settings;                       ///< with the attack that is replayed
     QString whyNothing;                          ///< what to do where there is no library
 };
@@ -61,6 +62,9 @@ public:
     /// Counts what happens to the document: the same number means the same project.
     int revision() const { return revision_; }
 
+    /// A fighter with the skeleton of a player; only while there is a bout.
+    const Fighter& like(int player) const { return source_->like[std::size_t(player)]; }
+
     /// How the next bout is begun; a change of anything but the seed's draws begins anew.
     const BoutSettings& wanted() const { return wanted_; }
     void setWanted(const BoutSettings& settings);
@@ -86,7 +90,7 @@ public:
     void reseed(std::uint64_t seed);
 
     /// What keys may ask an avatar for, in the order of keys: groups of strikes, then aspects.
-    std::vector<std::string> commandWords() const;
+    const std::vector<std::string>& commandWords() const { return words_; }
     bool steers() const { return tape_ && tape_->now().settings().mode == BoutMode::Avatar; }
     void ask(const std::string& words);
     void release();
@@ -118,7 +122,11 @@ private:
     void prepare();
     void take(BoutSource source);
     void advance();
-    void attempt(const std::function<void()>& act);
+    /// False where core says in a sentence that it cannot be done.
+    bool attempt(const std::function<void()>& act);
+    /// Does what cuts the bout at the head: what was measured or pointed to is of another one then.
+    bool change(const std::function<void()>& act);
+    void gatherWords();
     void shown();
 
     Session& session_;
@@ -132,6 +140,8 @@ private:
     double speed_ = 1;
     std::shared_ptr<const BoutSource> source_;
     BoutSettings wanted_;
+    bool anew_ = false;  ///< another bout was asked for and is not yet being prepared
+    std::vector<std::string> words_;
     std::optional<BoutTape> tape_;
     std::shared_ptr<const BoutChoice> pointed_;
     std::shared_ptr<const BoutChoice> told_;  ///< the choice that views know

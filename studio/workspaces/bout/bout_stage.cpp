@@ -36,10 +36,9 @@ void BoutStage::begin() {
         framed_ = false;
         return;
     }
-    const Project& project = bout_.session().document().project();
     std::array<std::vector<Bone>, 2> bones;
     for (const int player : {0, 1}) {
-        const Fighter& fighter = fighterLike(project, player);
+        const Fighter& fighter = bout_.like(player);
         bones[static_cast<std::size_t>(player)] =
             bonesOf(*fighter.motion->skeleton, fighter.roles, fighter.space.metresPerUnit);
     }

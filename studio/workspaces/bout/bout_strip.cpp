@@ -10,6 +10,7 @@
 
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
+#include "studio/timeline/wheel.h"
 #include "studio/workspaces/bout/bout_session.h"
 
 namespace kumite::studio {
@@ -223,12 +224,7 @@ void BoutStrip::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void BoutStrip::wheelEvent(QWheelEvent* event) {
-    const QPoint turned = event->angleDelta();
-    const double delta = turned.y() != 0 ? turned.y() : turned.x();
-    const TimeMapping changed =
-        event->modifiers() & Qt::ControlModifier
-            ? mapping().zoomedAbout(event->position().x(), std::pow(1.002, delta))
-            : mapping().panned(0.8 * delta);
+    const TimeMapping changed = afterWheel(mapping(), *event);
     begin_ = changed.begin;
     length_ = changed.end - changed.begin;
     clampView();

@@ -94,13 +94,9 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                       menu,
                       title,
                       {},
-                      [session, kind] {
-                          GraphOptions options = session->options();
-                          options.surprise = kind;
-                          session->setOptions(options);
-                      },
+                      [session, kind] { session->setSurpriseKind(kind); },
                       any,
-                      [session, kind] { return session->options().surprise == kind; }});
+                      [session, kind] { return session->surpriseKind() == kind; }});
     };
     surprise("graph.surpriseBoth", text("Surprise of bo&th terms"), SurpriseKind::Both);
     surprise("graph.surpriseLabel", text("Surprise of the label &term"), SurpriseKind::Label);

@@ -219,6 +219,12 @@ void GraphSession::setOptions(const GraphOptions& options) {
     if (learnAnew && active_) due_.start();
 }
 
+void GraphSession::setSurpriseKind(SurpriseKind kind) {
+    if (kind == surpriseKind_) return;
+    surpriseKind_ = kind;
+    Q_EMIT surpriseKindChanged();
+}
+
 bool GraphSession::compares() const {
     if (!hasGraph()) return false;
     return options_.versus == Versus::OtherFighter ||

@@ -37,7 +37,6 @@ struct GraphOptions {
     LabelEstimator estimator = LabelEstimator::Equ7;
     Versus versus = Versus::Nothing;
     LabelEstimator versusEstimator = LabelEstimator::Equ5;
-    SurpriseKind surprise = SurpriseKind::Both;
 
     bool operator==(const GraphOptions&) const = default;
 };
@@ -110,6 +109,9 @@ public:
     int mover() const { return std::clamp(session_.activePlayer(), 0, 1); }
     const GraphOptions& options() const { return options_; }
     void setOptions(const GraphOptions& options);
+    /// Which surprise is looked at.
+    SurpriseKind surpriseKind() const { return surpriseKind_; }
+    void setSurpriseKind(SurpriseKind kind);
 
     /// Whether two are compared: both fighters, or the mover by two models.
     bool compares() const;
@@ -134,7 +136,7 @@ public:
     const Surprise& surpriseOf(const TransitionRef& transition) const;
     /// Of the kind that is looked at, nats.
     double shownSurprise(const TransitionRef& transition) const {
-        return valueOf(surpriseOf(transition), options_.surprise);
+        return valueOf(surpriseOf(transition), surpriseKind_);
     }
     /// Shows a transition's two actions and plays them in a loop.
     void play(const TransitionRef& transition);
@@ -151,6 +153,7 @@ Q_SIGNALS:
     void valuesChanged();
     /// Options or mover.
     void optionsChanged();
+    void surpriseKindChanged();
     void selectionChanged();
     /// Another transition is the one that is looked at.
     void currentChanged();
@@ -169,6 +172,7 @@ private:
     QTimer due_;
     std::shared_ptr<const GraphValues> values_;
     GraphOptions options_;
+    SurpriseKind surpriseKind_ = SurpriseKind::Both;
     std::optional<GraphSelection> selection_;
     std::vector<int> selected_;
     std::optional<TransitionRef> current_;

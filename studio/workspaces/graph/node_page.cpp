@@ -80,9 +80,7 @@ NodePage::NodePage(GraphSession& graph, QWidget* parent)
     connect(&graph_, &GraphSession::valuesChanged, this, &NodePage::refresh);
     connect(&graph_, &GraphSession::optionsChanged, this, &NodePage::refresh);
     connect(&graph_, &GraphSession::selectionChanged, this, &NodePage::refresh);
-    connect(&graph_, &GraphSession::momentChanged, this, [this] {
-        if (isVisible()) refresh();
-    });
+    connect(&graph_, &GraphSession::momentChanged, this, &NodePage::refresh);
     refresh();
 }
 
@@ -126,7 +124,8 @@ void NodePage::showNumbers() {
 
 void NodePage::refresh() {
     showNumbers();
-    if (!graph_.hasGraph()) return;
+    // What is hidden is drawn when it is shown.
+    if (!graph_.hasGraph() || !isVisible()) return;
     const bool models = graph_.compares() && graph_.options().versus != Versus::OtherFighter;
     difference_->setVisible(graph_.compares());
     cross_->setVisible(!models);  // the opponent's labels stand in neither side
@@ -196,9 +195,14 @@ void NodePage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) refresh();
 }
 
+void NodePage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+}
+
 void NodePage::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    if (aspect() != options_.aspect) refresh();
+    if (!options_.inSpace && aspect() != options_.aspect) refresh();
 }
 
 }  // namespace kumite::studio

@@ -42,6 +42,7 @@ SurpriseStrip::SurpriseStrip(GraphSession& graph, TimelineView& timeline, QWidge
     Session& session = graph_.session();
     connect(&graph_, &GraphSession::valuesChanged, this, &SurpriseStrip::takeValues);
     connect(&graph_, &GraphSession::optionsChanged, this, &SurpriseStrip::takeValues);
+    connect(&graph_, &GraphSession::surpriseKindChanged, this, &SurpriseStrip::takeValues);
     connect(&graph_, &GraphSession::currentChanged, this, &SurpriseStrip::invalidate);
     connect(&session, &Session::visibleChanged, this, &SurpriseStrip::invalidate);
     connect(&session, &Session::takeChanged, this, &SurpriseStrip::invalidate);
@@ -73,14 +74,11 @@ void SurpriseStrip::addChoice() {
         action->setCheckable(true);
         action->setData(static_cast<int>(entry.kind));
         group->addAction(action);
-        connect(action, &QAction::triggered, this, [this, kind = entry.kind] {
-            GraphOptions options = graph_.options();
-            options.surprise = kind;
-            graph_.setOptions(options);
-        });
+        connect(action, &QAction::triggered, this,
+                [this, kind = entry.kind] { graph_.setSurpriseKind(kind); });
     }
     const auto follow = [this, group] {
-        const SurpriseKind kind = graph_.options().surprise;
+        const SurpriseKind kind = graph_.surpriseKind();
         kind_->setText(surpriseName(kind) + QStringLiteral(" ▾"));
         for (QAction* action : group->actions()) {
             if (action->data().toInt() != static_cast<int>(kind)) continue;
@@ -98,7 +96,7 @@ void SurpriseStrip::addChoice() {
                        "QToolButton::menu-indicator { image: none; }"));
     kind_->setFocusPolicy(Qt::TabFocus);
     kind_->setAccessibleName(tr("Which surprise is shown"));
-    connect(&graph_, &GraphSession::optionsChanged, this, follow);
+    connect(&graph_, &GraphSession::surpriseKindChanged, this, follow);
     follow();
 }
 
@@ -126,7 +124,7 @@ QRectF SurpriseStrip::rowOf(int player) const {
 void SurpriseStrip::takeValues() {
     hovered_.reset();
     top_ = 1;
-    const SurpriseKind kind = graph_.options().surprise;
+    const SurpriseKind kind = graph_.surpriseKind();
     const bool isProbability = kind != SurpriseKind::Geometry;
     for (const std::size_t mover : {0U, 1U}) {
         if (!graph_.hasGraph()) break;

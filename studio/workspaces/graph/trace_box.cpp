@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "studio/app/panel_parts.h"
 #include "studio/app/words.h"
 
 namespace kumite::studio {
@@ -74,7 +75,7 @@ QVariant TraceModel::headerData(int section, Qt::Orientation orientation, int ro
     }
     if (role == Qt::ToolTipRole && section == SurpriseColumn) {
         return tr("Surprise (%1), nats: how unexpected it was to a model that had not seen it")
-            .arg(surpriseName(graph_.options().surprise));
+            .arg(surpriseName(graph_.surpriseKind()));
     }
     if (role != Qt::DisplayRole) return {};
     const QString texts[] = {tr("time"), tr("own → next"), tr("surprise")};
@@ -90,8 +91,7 @@ TraceBox::TraceBox(GraphSession& graph, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    auto* heading = new QLabel(tr("Behind it"), this);
-    heading->setProperty("role", "heading");
+    auto* heading = headingLabel(tr("Behind it"), this);
     layout->addWidget(heading);
     what_->setWordWrap(true);
     what_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -125,6 +125,7 @@ TraceBox::TraceBox(GraphSession& graph, QWidget* parent)
     connect(&graph_, &GraphSession::selectionChanged, this, &TraceBox::showSelection);
     connect(&graph_, &GraphSession::valuesChanged, this, &TraceBox::showSelection);
     connect(&graph_, &GraphSession::optionsChanged, this, &TraceBox::showSelection);
+    connect(&graph_, &GraphSession::surpriseKindChanged, this, &TraceBox::showSelection);
     connect(&graph_, &GraphSession::currentChanged, this, &TraceBox::showCurrent);
     showSelection();
 }

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "studio/app/icons.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/theme.h"
 #include "studio/workspaces/label/compare_labels_box.h"
 #include "studio/workspaces/label/find_box.h"
@@ -85,8 +86,7 @@ void LabelViews::addPage(Page page, QWidget* content, const QString& icon, const
     auto* layout = new QVBoxLayout(frame);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(5);
-    auto* heading = new QLabel(pageName(page), frame);
-    heading->setProperty("role", "heading");
+    auto* heading = headingLabel(pageName(page), frame);
     layout->addWidget(heading);
     layout->addWidget(content, 1);
     scroll->setWidget(frame);

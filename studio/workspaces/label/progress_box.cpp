@@ -132,7 +132,8 @@ QString ProgressBox::adviceText() const {
     const LabelProgress& progress = labels_.progress();
     if (progress.actions == 0) return tr("No recording is cut into actions yet.");
     if (progress.settled == progress.actions) {
-        return tr("Every action is labelled. Ctrl+S saves; Label > Write labels… makes a table.");
+        return tr(
+            "Every action is labelled. File > Save keeps it; Label > Write labels… makes a table.");
     }
     const int few = labels_.querySettings().batch;
     if (progress.byHand == 0) {

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "studio/app/commands.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/segment/compare_box.h"
@@ -20,16 +21,6 @@
 #include "studio/workspaces/segment/unmatched_box.h"
 
 namespace kumite::studio {
-
-namespace {
-
-QLabel* heading(const QString& text, QWidget* parent) {
-    auto* label = new QLabel(text, parent);
-    label->setProperty("role", "heading");
-    return label;
-}
-
-}  // namespace
 
 SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     : QWidget(parent),
@@ -46,7 +37,7 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(5);
-    layout->addWidget(heading(tr("Suspect minima"), this));
+    layout->addWidget(headingLabel(tr("Suspect minima"), this));
     layout->addWidget(table_, 1);
     empty_->setText(
         tr("Minima of the force curves that cut actions appear here, the most "
@@ -57,11 +48,11 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
     layout->addWidget(empty_, 1);
     layout->addWidget(makeDecisions());
     layout->addSpacing(3);
-    layout->addWidget(heading(tr("Review"), this));
+    layout->addWidget(headingLabel(tr("Review"), this));
     layout->addWidget(statistics_);
     layout->addWidget(unmatched_);
     layout->addSpacing(3);
-    layout->addWidget(heading(tr("Detection"), this));
+    layout->addWidget(headingLabel(tr("Detection"), this));
     layout->addWidget(new DetectionBox(session, this));
     layout->addWidget(compare_);
     setMinimumWidth(200);

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/project/edits.h"
+#include "studio/app/panel_parts.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 
@@ -23,8 +24,7 @@ UnmatchedBox::UnmatchedBox(Session& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    auto* heading = new QLabel(tr("Corrections without a minimum"), this);
-    heading->setProperty("role", "heading");
+    auto* heading = headingLabel(tr("Corrections without a minimum"), this);
     heading->setWordWrap(true);
     layout->addWidget(heading);
     list_->setAccessibleName(heading->text());
