@@ -64,7 +64,7 @@ double strengthAt(const StrikeSpace& space, int frame) {
 class Correction {
 public:
     Correction(const StrikeSpace& space, const Joints& joints, Pose start)
-        : space_(space), joints_(joints), rig_(*space.rig), pose_(std::move(start)) {
+        : joints_(joints), rig_(*space.rig), pose_(std::move(start)) {
         update();
     }
     void update() { jointFrames(rig_, pose_, frames_); }
@@ -103,7 +103,6 @@ public:
     const JointFrames& frames() const { return frames_; }
 
 private:
-    const StrikeSpace& space_;
     const Joints& joints_;
     const Rig& rig_;
     Pose pose_;

@@ -122,6 +122,22 @@ const std::map<std::string, Draw>& edits() {
              return setNote(p, a, f, pick(r, a.at(f).frameCount()),
                             pick(r, 3) ? letters(r) : std::string());
          }},
+        {"addClips",
+         [](const Project& p, const Analysis&, Random& r) {
+             return addClips(p, {"/clips/" + std::to_string(pick(r, 30)), "/clips/kick.bvh"});
+         }},
+        {"removeClips",
+         [](const Project& p, const Analysis&, Random& r) -> MaybeEdit {
+             if (p.clips.empty()) return std::nullopt;
+             return removeClips(
+                 p, {p.clips[static_cast<std::size_t>(pick(r, static_cast<int>(p.clips.size())))]});
+         }},
+        {"setDraft",
+         [](const Project& p, const Analysis&, Random& r) {
+             return setDraft(p, pick(r, 2) ? "keys" : "sequence",
+                             pick(r, 3) ? "[" + std::to_string(pick(r, 9)) + "]" : std::string(),
+                             "Draft");
+         }},
         {"dropUnmatchedCorrections",
          [](const Project& p, const Analysis& a, Random& r) {
              return dropUnmatchedCorrections(p, a, fighter(p, r));

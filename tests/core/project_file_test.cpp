@@ -59,7 +59,9 @@ TEST(ProjectFile, ClipsAndDraftsComeBack) {
     project = setDraft(project, "of a later version", "[\"\u00e4\"]", "x")->project;
     saveProject(project, bout.file);
     EXPECT_NE(readText(bout.file).find("\"recordings\""), std::string::npos);  // relative
-    EXPECT_EQ(loadProject(bout.file).project, project);
+    const Project again = loadProject(bout.file).project;
+    EXPECT_EQ(again.clips, project.clips);
+    EXPECT_EQ(again.drafts, project.drafts);
     EXPECT_FALSE(setDraft(project, "sequence", "{\"blocks\":[1,2.5]}", "x"));
     EXPECT_FALSE(addClips(project, {"/elsewhere/kick.bvh"}));
     EXPECT_THROW(setDraft(project, "sequence", "{", "x"), InputError);
