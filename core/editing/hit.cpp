@@ -286,8 +286,9 @@ HitMotion motionOfSolution(const StrikeSpace& space, const Joints& joints,
     }
     HitMotion motion;
     motion.hit = rendering.hit;
-    motion.clip = withLockedFeet(rendering.clip);
-    motion.clip = moved(std::move(motion.clip), toOrigin(*space.rig, motion.clip.frames.front()));
+    Clip clean = withLockedFeet(rendering.clip);
+    const GroundTransform home = toOrigin(*space.rig, clean.frames.front());
+    motion.clip = moved(std::move(clean), home);
     JointFrames frames;
     jointFrames(*space.rig, motion.clip.frames[static_cast<std::size_t>(motion.hit)], frames);
     motion.reached = frames.positions[static_cast<std::size_t>(joints.striking)];

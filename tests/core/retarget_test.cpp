@@ -154,7 +154,8 @@ double worstLimbAngle(const Clip& a, const Clip& b) {
           std::pair{LeftHip, LeftKnee}, std::pair{LeftKnee, LeftAnkle},
           std::pair{RightHip, RightKnee}, std::pair{RightKnee, RightAnkle}}) {
         for (int frame = 0; frame < a.frameCount(); ++frame) {
-            const auto bone = [&](const Clip& clip, const JointPositions& positions) -> Vector3d {
+            const auto bone = [&, from = from, to = to](
+                                  const Clip& clip, const JointPositions& positions) -> Vector3d {
                 return (positions.at(frame, *clip.rig->roles[to]) -
                         positions.at(frame, *clip.rig->roles[from]))
                     .cast<double>()

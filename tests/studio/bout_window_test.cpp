@@ -1,5 +1,6 @@
 // The Bout workspace in the real window: a bout that plays, goes back, is led and written.
 
+#include <QAction>
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
@@ -84,6 +85,10 @@ TEST_F(BoutTest, PlaysInTheStageAndLeavesItAgain) {
     EXPECT_TRUE(window_->stage().isLive());
     EXPECT_FALSE(timeline().isVisible());
     EXPECT_TRUE(strip().isVisible());
+    const char* const ofRecordings[] = {"view.shoulder1", "view.shoulder2", "view.addGhost",
+                                        "view.measure", "view.nextJoint"};
+    for (const char* id : ofRecordings)
+        EXPECT_FALSE(window_->commands().action(id)->isEnabled()) << id;
     const double playhead = session().transport().playhead();
     press(Qt::Key_Space);
     EXPECT_TRUE(bout().isPlaying());
@@ -99,6 +104,8 @@ TEST_F(BoutTest, PlaysInTheStageAndLeavesItAgain) {
     window_->workspaces().show("segment");
     EXPECT_FALSE(bout().isPlaying()) << "nobody looks";
     EXPECT_FALSE(window_->stage().isLive());
+    for (const char* id : ofRecordings)
+        EXPECT_TRUE(window_->commands().action(id)->isEnabled()) << id;
     EXPECT_TRUE(timeline().isVisible());
     window_->workspaces().show("bout");
     settle();
