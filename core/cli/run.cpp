@@ -1,8 +1,10 @@
 #include "core/cli/run.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "core/cli/command.h"
+#include "core/cli/manual.h"
 
 namespace kumite::cli {
 namespace {
@@ -22,7 +24,8 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     app.set_version_flag("--version", "kumite " KUMITE_VERSION);
     app.footer(
         "Frames count from 0 at the first frame of the take; A:B is half-open.\n"
-        "`kumite COMMAND --help` shows each command with an example.");
+        "`kumite COMMAND --help` shows each command with an example; `kumite --man` writes all of\n"
+        "it as a manual page.");
     Action action;
     addDemo(app, action);
     addInfo(app, action);
@@ -45,6 +48,18 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addRelink(app, action);
     addVersions(app, action);
 
+    if (arguments == std::vector<std::string>{"--man"}) {
+        const auto helpOf = [](const std::vector<std::string>& words) {
+            std::ostringstream text;
+            run(words, text, text);
+            return text.str();
+        };
+        std::vector<CommandHelp> commands;
+        for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+            commands.push_back({command->get_name(), helpOf({command->get_name(), "--help"})});
+        out << manualPage(KUMITE_VERSION, helpOf({"--help"}), commands);
+        return 0;
+    }
     try {
         const bool isWord = !arguments.empty() && !arguments.front().starts_with("-");
         const auto known = app.get_subcommands([](const CLI::App*) { return true; });

@@ -1,7 +1,7 @@
 // How long the window of a project does not answer while it is worked with: from a key press that
-// edits a boundary until every view has painted it, and the longest gap of the event loop during
-// the acts of a session.
-//     kumite-edit-benchmark PROJECT.kumite [edits|session]
+// edits a boundary until every view has painted it, pictures a second while it plays, and the
+// longest gap of the event loop during the acts of a session.
+//     kumite-edit-benchmark PROJECT.kumite [edits|playing|session]
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -20,7 +20,9 @@
 #include "studio/app/main_window.h"
 #include "studio/app/picture.h"
 #include "studio/app/recovery.h"
+#include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
+#include "studio/view3d/stage_view.h"
 #include "tests/benchmarks/studio_benchmark.h"
 
 namespace {
@@ -28,15 +30,15 @@ namespace {
 using namespace kumite;
 using namespace kumite::studio;
 
-/// Sees when a widget is painted.
+/// Counts how often a widget is painted.
 class Painted : public QObject {
 public:
     explicit Painted(QWidget& widget) { widget.installEventFilter(this); }
-    bool since = false;
+    int times = 0;
 
 protected:
     bool eventFilter(QObject*, QEvent* event) override {
-        if (event->type() == QEvent::Paint) since = true;
+        if (event->type() == QEvent::Paint) ++times;
         return false;
     }
 };
@@ -59,12 +61,12 @@ void measureEdits(const char* name, MainWindow& window) {
     for (std::size_t i = 0; i < kEdits && i < frames.size(); ++i) {
         session.goTo({0, frames[i * frames.size() / kEdits]});
         letWork(100);
-        timeline.since = false;
+        timeline.times = 0;
         QElapsedTimer clock;
         clock.start();
         QTest::keyClick(&window.timeline(), Qt::Key_Delete);
         // Widgets of a window are painted in one go.
-        while (!timeline.since)
+        while (timeline.times == 0)
             QApplication::processEvents();
         milliseconds.push_back(1e-6 * double(clock.nsecsElapsed()));
     }
@@ -74,6 +76,44 @@ void measureEdits(const char* name, MainWindow& window) {
     std::printf("%-24s %zu edits   median %6.2f ms   worst %6.2f ms\n", name, done,
                 quantile(milliseconds, 0.5), quantile(milliseconds, 1));
     std::fflush(stdout);
+}
+
+/// Plays in each workspace, the Graph's views one by one: pictures of the 3D view a second.
+void measurePlaying(MainWindow& window) {
+    struct View {
+        const char* workspace;
+        const char* command;  ///< that leads to it; may be nothing
+    };
+    QWidget* canvas = nullptr;
+    for (QWidget* child : window.stage().findChildren<QWidget*>()) {
+        if (child->inherits("kumite::studio::VtkWidget")) canvas = child;
+    }
+    if (canvas == nullptr) return;
+    Painted painted(*canvas);
+    LoopWatch watch;
+    for (const View& view :
+         {View{"segment", nullptr}, View{"label", nullptr}, View{"graph", nullptr},
+          View{"graph", "graph.view"}, View{"graph", "graph.space"}}) {
+        window.workspaces().show(QLatin1String(view.workspace));
+        if (view.command != nullptr) window.commands().run(QLatin1String(view.command));
+        letWork(100);
+        waitWhileBusy(window);
+        letWork(500);
+        window.session().transport().setPlayhead(0);
+        window.commands().run(QStringLiteral("transport.play"));
+        letWork(300);
+        watch.reset();
+        painted.times = 0;
+        QElapsedTimer clock;
+        clock.start();
+        letWork(4000);
+        const double seconds = 1e-3 * double(clock.elapsed());
+        window.commands().run(QStringLiteral("transport.play"));
+        std::printf("%-8s %-12s %5.1f pictures a second   longest gap %5.1f ms\n", view.workspace,
+                    view.command != nullptr ? view.command : "", painted.times / seconds,
+                    watch.longest().milliseconds);
+        std::fflush(stdout);
+    }
 }
 
 /// The acts of a session, each watched until nothing is computed any more.
@@ -208,23 +248,29 @@ void WatchedSession::play(const QString& project) {
 int main(int argc, char** argv) {
     prepareBenchmark();
     QApplication application(argc, argv);
-    const QStringList arguments =
-        benchmarkFiles(application, "kumite-edit-benchmark", "PROJECT.kumite [edits|session]");
+    const QStringList arguments = benchmarkFiles(application, "kumite-edit-benchmark",
+                                                 "PROJECT.kumite [edits|playing|session]");
     const QString only = arguments.value(1);
     MainWindow window;
     window.resize(1280, 800);
     window.show();
     QApplication::setActiveWindow(&window);
-    if (only != QLatin1String("session")) {
+    const auto wanted = [&only](const char* part) {
+        return only.isEmpty() || only == QLatin1String(part);
+    };
+    if (wanted("edits") || wanted("playing")) {
         window.files().open({arguments.front()});
         waitWhileBusy(window);
         if (window.session().playerCount() == 0) return 1;
         letWork(500);
         window.timeline().setFocus();
+    }
+    if (wanted("edits")) {
         measureEdits("whole take in view", window);
         window.session().setVisible({0, 20});
         measureEdits("20 s in view", window);
     }
-    if (only != QLatin1String("edits")) WatchedSession(window).play(arguments.front());
+    if (wanted("playing")) measurePlaying(window);
+    if (wanted("session")) WatchedSession(window).play(arguments.front());
     return 0;
 }

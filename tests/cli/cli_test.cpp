@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -62,6 +63,29 @@ TEST_F(Cli, EveryCommandHasHelpWithAnExample) {
         EXPECT_EQ(help.err, "");
     }
     EXPECT_EQ(kumite({"--version"}).out.substr(0, 7), "kumite ");
+}
+
+TEST_F(Cli, TheManualPageHasEveryCommandAndOptionOfTheHelp) {
+    const Result manual = kumite({"--man"});
+    ASSERT_EQ(manual.code, 0);
+    EXPECT_NE(manual.out.find("\n.TH KUMITE 1 "), std::string::npos);
+    const auto named = [&](std::string word) {
+        for (std::size_t i = 0; (i = word.find('-', i)) != std::string::npos; i += 2)
+            word.insert(i, "\\");
+        return manual.out.find(word) != std::string::npos;
+    };
+    const std::string help = kumite({"--help"}).out;
+    const std::regex command(R"(\n  (\w+) {2,})"), option(R"((--[a-z][a-z-]*))");
+    int commands = 0;
+    for (std::sregex_iterator c(help.begin(), help.end(), command), end; c != end; ++c) {
+        const std::string name = (*c)[1];
+        ++commands;
+        EXPECT_NE(manual.out.find(".SS " + name + "\n"), std::string::npos) << name;
+        const std::string own = kumite({name, "--help"}).out;
+        for (std::sregex_iterator o(own.begin(), own.end(), option); o != end; ++o)
+            EXPECT_TRUE(named((*o)[1])) << name << " " << (*o)[1];
+    }
+    EXPECT_GE(commands, 20);
 }
 
 TEST_F(Cli, WrongUsageIsTwoAndFailureIsOne) {
