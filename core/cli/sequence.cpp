@@ -1,7 +1,29 @@
+#include <filesystem>
+
+#include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/cli/library_options.h"
 #include "core/cli/sequence_report.h"
+#include "core/project/project_file.h"
+#include "core/project/sequence_draft.h"
 
 namespace kumite::cli {
+namespace {
+
+/// The sequence that one of the sources, a project, holds.
+SequenceDraft draftOf(const std::vector<std::string>& sources) {
+    for (const std::string& source : sources) {
+        if (lowerCase(std::filesystem::path(source).extension().string()) != ".kumite") continue;
+        const MappedFile file(source);
+        const auto folder = std::filesystem::absolute(source).parent_path();
+        SequenceDraft draft = sequenceDraftOf(parseProject(file.bytes(), source, folder));
+        if (!draft.blocks.empty()) return draft;
+    }
+    throw UsageError(
+        "Nothing to play: name clips with --play, or a project that holds a sequence.");
+}
+
+}  // namespace
 
 void addSequence(CLI::App& app, Action& action) {
     struct Options {
@@ -18,7 +40,9 @@ void addSequence(CLI::App& app, Action& action) {
     addLibraryOptions(*command, o->library);
     addGraphOptions(*command, o->graph);
     addTransitionOptions(*command, o->transition);
-    command->add_option("--play", o->play, "the clips, in order")->required();
+    command->add_option("--play", o->play,
+                        "the clips, in order; without it: the sequence that a LIB, then a project, "
+                        "holds");
     command->add_option("--out", o->out, "the .bvh to write")->required();
     command->add_flag("--json", o->json, "one JSON object on standard output");
     command->footer(std::string(kClipNames) +
@@ -29,7 +53,9 @@ void addSequence(CLI::App& app, Action& action) {
         action = [o](const Streams& streams) {
             const auto library = openLibrary(o->library, o->out, streams);
             const auto graph = openGraph(library, o->graph, streams);
-            const Sequence sequence = sequenceOf(*library, o->play, o->transition);
+            const Sequence sequence = o->play.empty()
+                                          ? sequenceOf(*library, draftOf(o->library.sources))
+                                          : sequenceOf(*library, o->play, o->transition);
             const SequenceMotion motion =
                 makeSequence(graph, sequence, streams.progress("playing"));
             writeClip(*library, motion.clip, o->out);

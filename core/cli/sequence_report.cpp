@@ -6,8 +6,7 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
-#include "core/project/library.h"
-#include "core/project/library_strikes.h"
+#include "core/project/sequence_draft.h"
 #include "core/quality/quality.h"
 
 namespace kumite::cli {
@@ -47,21 +46,6 @@ std::uint64_t seedOf(std::uint64_t seed, std::size_t block) {
     return seed + 1000003 * static_cast<std::uint64_t>(block);
 }
 
-/// "C@x,y,z": the strike C made to hit that target, in the striker's frame.
-std::shared_ptr<const LibraryMotion> strikeOf(const MotionLibrary& library, const std::string& name,
-                                              const Eigen::Vector3d& target) {
-    const auto sign = name.rfind('@');
-    StrikeBlock block = strikeAt(library, actionNamed(library, name.substr(0, sign)), target);
-    if (!block.hit.hits) {
-        const Eigen::Vector3d& near = block.hit.reached;
-        throw Error(fmt::format(
-            "\"{}\" cannot be reached: the nearest target that can is {:.2f},{:.2f},{:.2f}.", name,
-            near.x(), near.y(), near.z()));
-    }
-    block.motion.name = name;
-    return std::make_shared<const LibraryMotion>(std::move(block.motion));
-}
-
 }  // namespace
 
 void addTransitionOptions(CLI::App& command, TransitionOptions& options) {
@@ -80,17 +64,7 @@ Sequence sequenceOf(const MotionLibrary& library, const std::vector<std::string>
     Sequence sequence;
     sequence.cleanFeet = !options.rawFeet;
     for (const std::string& name : names) {
-        SequenceBlock& block = sequence.blocks.emplace_back();
-        block.name = name;
-        const auto sign = name.rfind('@');
-        const auto target = sign == std::string::npos
-                                ? std::nullopt
-                                : targetFrom(std::string_view(name).substr(sign + 1));
-        if (target) {
-            block.made = strikeOf(library, name, *target);
-        } else {
-            block.action = actionNamed(library, name);
-        }
+        SequenceBlock& block = sequence.blocks.emplace_back(blockNamed(library, name));
         block.transition.seed = seedOf(options.seed, sequence.blocks.size() - 1);
         block.transition.method = methodNamed(options.method);
     }

@@ -125,6 +125,41 @@ public:
         }
     }
 
+    /// A motion file, a folder of them, or a project; `withClips`: what that names beside its
+    /// takes, too.
+    void addSource(const std::filesystem::path& path, bool withClips, const Progress& progress) {
+        progress.update(0);
+        if (std::filesystem::is_directory(path)) {
+            addFolder(path, progress);
+        } else if (lowerCase(path.extension().string()) == ".kumite") {
+            const LoadedProject loaded = loadProject(path, progress.part(0, 0.5));
+            read({path});
+            read(recordingFiles(loaded.project));
+            const Analysis analysis = analyse(loaded.project, {}, progress.part(0.5, 0.8));
+            addProject(loaded.project, analysis, progress.part(0.8, 0.9));
+            if (withClips) addClips(loaded.project, progress.part(0.9, 1));
+            find(loaded.findings, path.filename().string());
+        } else {
+            addFile(path, progress);
+        }
+    }
+
+    /// The clips that a project names beside its takes; one that cannot be read is left out.
+    void addClips(const Project& project, const Progress& progress) {
+        const double count = static_cast<double>(project.clips.size());
+        for (std::size_t i = 0; i < project.clips.size(); ++i) {
+            const double at = static_cast<double>(i);
+            try {
+                addSource(project.clips[i], false, progress.part(at / count, (at + 1) / count));
+            } catch (const Cancelled&) {
+                throw;
+            } catch (const std::exception& error) {
+                loaded_.findings.push_back(
+                    warning(fmt::format("{} It is left out.", error.what())));
+            }
+        }
+    }
+
     void find(const Findings& findings, const std::string& name) {
         for (const Finding& finding : findings)
             loaded_.findings.push_back({finding.severity, name + ": " + finding.text});
@@ -223,19 +258,7 @@ LoadedLibrary loadLibrary(const std::vector<std::filesystem::path>& sources,
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const double at = static_cast<double>(i);
         const Progress part = progress.part(at / count, (at + 1) / count);
-        part.update(0);
-        if (std::filesystem::is_directory(sources[i])) {
-            builder.addFolder(sources[i], part);
-        } else if (lowerCase(sources[i].extension().string()) == ".kumite") {
-            const LoadedProject loaded = loadProject(sources[i], part.part(0, 0.5));
-            builder.read({sources[i]});
-            builder.read(recordingFiles(loaded.project));
-            const Analysis analysis = analyse(loaded.project, {}, part.part(0.5, 0.8));
-            builder.addProject(loaded.project, analysis, part.part(0.8, 1));
-            builder.find(loaded.findings, sources[i].filename().string());
-        } else {
-            builder.addFile(sources[i], part);
-        }
+        builder.addSource(sources[i], true, part);
     }
     return std::move(builder).finish();
 }
@@ -243,7 +266,8 @@ LoadedLibrary loadLibrary(const std::vector<std::filesystem::path>& sources,
 LoadedLibrary libraryOf(const Project& project, const Analysis& analysis,
                         const LibrarySettings& settings, const Progress& progress) {
     Builder builder(settings);
-    builder.addProject(project, analysis, progress);
+    builder.addProject(project, analysis, progress.part(0, 0.5));
+    builder.addClips(project, progress.part(0.5, 1));
     return std::move(builder).finish();
 }
 

@@ -33,7 +33,8 @@ struct LoadedLibrary {
 LoadedLibrary loadLibrary(const std::vector<std::filesystem::path>& sources,
                           const LibrarySettings& settings = {}, const Progress& progress = {});
 
-/// The library of an open project. Fighters without a recording are left out.
+/// The library of an open project: its takes and its clips (of a project among them the takes).
+/// Fighters without a recording are left out, and so is with a warning what cannot be read.
 LoadedLibrary libraryOf(const Project& project, const Analysis& analysis,
                         const LibrarySettings& settings = {}, const Progress& progress = {});
 
