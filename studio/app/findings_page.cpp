@@ -14,8 +14,11 @@
 namespace kumite::studio {
 
 void FindingsLog::add(const QString& about, const Findings& findings) {
-    if (findings.empty()) return;
-    groups_.push_back({about, findings});
+    // What was found about something before is out of date.
+    const auto gone =
+        std::erase_if(groups_, [&](const Group& group) { return group.about == about; });
+    if (findings.empty() && gone == 0) return;
+    if (!findings.empty()) groups_.push_back({about, findings});
     Q_EMIT changed();
 }
 

@@ -38,6 +38,7 @@
 #include "studio/workspaces/bout/bout_session.h"
 #include "studio/workspaces/graph/graph_session.h"
 #include "studio/workspaces/label/label_session.h"
+#include "studio/workspaces/sequence/sequence_session.h"
 
 namespace kumite::studio {
 
@@ -219,7 +220,7 @@ void MainWindow::listen() {
 bool MainWindow::isBusy() const {
     return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
            (labels_->isActive() && labels_->isLearning()) || graph_->isLearning() ||
-           bout_->isPreparing();
+           bout_->isPreparing() || sequence_->isPreparing() || sequence_->making().isRunning();
 }
 
 void MainWindow::shareSpace() {
@@ -260,6 +261,7 @@ void MainWindow::refreshIcons() {
     };
     if (session_.transport().isPlaying()) showPause("transport.play");
     if (bout_ != nullptr && bout_->isPlaying()) showPause("bout.play");
+    if (sequence_ != nullptr && sequence_->isPlaying()) showPause("sequence.play");
 }
 
 void MainWindow::showKeysHint() {

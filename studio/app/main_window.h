@@ -18,6 +18,7 @@ class QToolButton;
 namespace kumite::studio {
 
 class BoutSession;
+class SequenceSession;
 class CommandPalette;
 class CommandTable;
 class DocumentPanel;
@@ -63,6 +64,7 @@ public:
     DocumentPanel& documentPanel() { return *documentPanel_; }
     FindingsLog& findings() { return findings_; }
     BoutSession& bout() { return *bout_; }
+    SequenceSession& sequence() { return *sequence_; }
     GraphSession& graph() { return *graph_; }
     GraphCentre& graphCentre() { return *graphCentre_; }
     LabelSession& labels() { return *labels_; }
@@ -106,6 +108,7 @@ private:
     void showLabelKeys();
     void addGraphWorkspace();
     void addBoutWorkspace();
+    void addSequenceWorkspace();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -158,6 +161,7 @@ private:
     LabelReview* labelReview_ = nullptr;
     LabelLanes* labelLanes_ = nullptr;
     BoutSession* bout_ = nullptr;
+    SequenceSession* sequence_ = nullptr;
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;

@@ -44,6 +44,12 @@
 #include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/label/label_views.h"
 #include "studio/workspaces/segment/segment_panel.h"
+#include "studio/workspaces/sequence/sequence_bar.h"
+#include "studio/workspaces/sequence/sequence_commands.h"
+#include "studio/workspaces/sequence/sequence_panel.h"
+#include "studio/workspaces/sequence/sequence_session.h"
+#include "studio/workspaces/sequence/sequence_stage.h"
+#include "studio/workspaces/sequence/sequence_strip.h"
 
 namespace kumite::studio {
 
@@ -73,6 +79,7 @@ void MainWindow::addWorkspaces() {
     });
     addGraphWorkspace();
     addBoutWorkspace();
+    addSequenceWorkspace();
     workspaces_->addSwitchCommands(tr("&View"));
 }
 
@@ -147,6 +154,49 @@ void MainWindow::addBoutWorkspace() {
         if (bout_->isActive()) showKeysHint();
     });
     connect(workspaces_, &Workspaces::changed, bout_, follow);
+    follow();
+}
+
+void MainWindow::addSequenceWorkspace() {
+    sequence_ = new SequenceSession(session_, this);
+    auto* jobs = findChild<JobBar*>();
+    for (JobRunner* runner : {&sequence_->jobs(), &sequence_->making(), &sequence_->writing()})
+        jobs->watch(*runner);
+    connect(sequence_, &SequenceSession::failed, strip_, &MessageStrip::showError);
+    connect(sequence_, &SequenceSession::libraryChanged, this,
+            [this] { findings_.add(tr("Clips of sequences"), sequence_->findings()); });
+    auto* panel = new SequencePanel(*sequence_, rightPanel_);
+    auto* below = new QWidget(rows_);  // in the timeline's place
+    auto* strip = new SequenceStrip(*sequence_, below);
+    workspaces_->add({"sequence", tr("Sequence"), "sequence",
+                      tr("Play actions in any order, led over to each other."), panel,
+                      [this, panel, strip] {
+                          addSequenceCommands(*commands_, *sequence_, *panel, *strip, *stage_);
+                          panel->addCommands(*commands_);
+                      }});
+    panel->addStep(tr("Add clips…"), tr("Of motion files or other projects"),
+                   [this] { commands_->run(QStringLiteral("sequence.clips")); });
+    auto* box = new QVBoxLayout(below);
+    box->setContentsMargins(0, 0, 0, 0);
+    box->setSpacing(0);
+    box->addWidget(new SequenceBar(*sequence_, *commands_, below));
+    box->addWidget(strip, 1);
+    new SequenceStage(*sequence_, *stage_, this);
+    const auto follow = [this, below] {
+        const bool shown = workspaces_->current() == QLatin1String("sequence");
+        below->setVisible(shown);
+        if (shown) timelineBox_->setVisible(false);
+        sequence_->setActive(shown);
+        if (shown) stage_->setFocus();
+    };
+    connect(sequence_, &SequenceSession::stateChanged, this, [this, playing = false]() mutable {
+        if (playing != sequence_->isPlaying()) {
+            playing = sequence_->isPlaying();
+            refreshIcons();
+        }
+        if (sequence_->isActive()) showKeysHint();
+    });
+    connect(workspaces_, &Workspaces::changed, sequence_, follow);
     follow();
 }
 
@@ -277,6 +327,19 @@ QStringList MainWindow::keysHint() const {
         {{"bout.play"}, bout_->isPlaying() ? tr("pause") : tr("fight")},
         {{"bout.act1"}, tr("… lead the avatar"), bout_->steers()},
         {{"bout.reseed"}, tr("go on otherwise")},
+        {{"sequence.play"}, sequence_->isPlaying() ? tr("pause") : tr("play")},
+        {{"sequence.live1"},
+         tr("… play a block at once"),
+         sequence_->showing() == SequenceSession::Showing::Live},
+        {{"sequence.leave"},
+         tr("back to the sequence"),
+         sequence_->showing() != SequenceSession::Showing::Sequence},
+        {{"sequence.find"}, tr("find an action")},
+        {{"sequence.add"}, tr("add it")},
+        {{"sequence.previous", "sequence.next"}, tr("block")},
+        {{"sequence.earlier", "sequence.later"}, tr("move it")},
+        {{"sequence.draw"}, tr("draw its transition anew")},
+        {{"sequence.live"}, tr("live")},
         {{"bout.keep"}, tr("keep as a take")},
         {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
         {{"graph.play"}, tr("play what is behind"), !measuring},

@@ -77,9 +77,9 @@ void StageView::bodiesChanged() {
     showPose();
 }
 
-void StageView::beginLive(std::array<std::vector<Bone>, 2> bones) {
+void StageView::beginLive(const QObject* owner, std::array<std::vector<Bone>, 2> bones) {
     setMeasuring(false);
-    live_ = true;
+    live_ = owner;
     followed_.reset();
     scene_->bones = std::move(bones);
     scene_->stage.clearGhosts();
@@ -97,9 +97,9 @@ void StageView::showLive(std::array<FigurePose, 2> poses) {
     scene_->canvas->markDirty();
 }
 
-void StageView::endLive() {
-    if (!live_) return;
-    live_ = false;
+void StageView::endLive(const QObject* owner) {
+    if (live_ != owner) return;
+    live_ = nullptr;
     followed_.reset();
     bodiesChanged();
     frameAll();

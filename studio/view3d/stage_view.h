@@ -76,11 +76,14 @@ public:
     /// lies behind the camera.
     std::optional<QPointF> jointPosition(const JointRef& joint) const;
 
-    /// Others in place of the take's fighters, until `endLive`: what their bones are, then poses.
-    void beginLive(std::array<std::vector<Bone>, 2> bones);
+    /// Others in place of the take's fighters, until their owner ends it or another begins: what
+    /// their bones are (none: no such figure), then poses.
+    void beginLive(const QObject* owner, std::array<std::vector<Bone>, 2> bones);
     void showLive(std::array<FigurePose, 2> poses);
-    void endLive();
-    bool isLive() const { return live_; }
+    /// Nothing, if another has begun meanwhile.
+    void endLive(const QObject* owner);
+    bool isLive() const { return live_ != nullptr; }
+    bool isLiveFor(const QObject* owner) const { return live_ == owner; }
 
     /// Tells where on the floor the pointer is, and by `floorClicked` where a click was beside the
     /// fighters.
@@ -146,7 +149,7 @@ private:
     Overlays overlays_;
     std::vector<double> ghostTimes_;  ///< seconds on the take's clock
     bool following_ = false;
-    bool live_ = false;
+    const QObject* live_ = nullptr;  ///< whose figures are shown instead of the take's
     bool pointsAtFloor_ = false;
     std::optional<Eigen::Vector3d> followed_;  ///< what the camera followed last
     QWidget* tools_ = nullptr;

@@ -13,7 +13,7 @@ BoutStage::BoutStage(BoutSession& bout, StageView& stage, QObject* parent)
     connect(&bout_, &BoutSession::begun, this, &BoutStage::begin);
     connect(&bout_, &BoutSession::moved, this, &BoutStage::show);
     connect(&bout_, &BoutSession::stateChanged, this, [this] {
-        if (isShown() != stage_.isLive()) begin();
+        if (isShown() != stage_.isLiveFor(this)) begin();
         stage_.setPointingAtFloor(isShown() && bout_.steers());
         showMark();
     });
@@ -31,8 +31,8 @@ bool BoutStage::isShown() const {
 
 void BoutStage::begin() {
     if (!isShown()) {
-        stage_.setPointingAtFloor(false);
-        stage_.endLive();
+        if (stage_.isLiveFor(this)) stage_.setPointingAtFloor(false);
+        stage_.endLive(this);
         framed_ = false;
         return;
     }
@@ -42,7 +42,7 @@ void BoutStage::begin() {
         bones[static_cast<std::size_t>(player)] =
             bonesOf(*fighter.motion->skeleton, fighter.roles, fighter.space.metresPerUnit);
     }
-    stage_.beginLive(std::move(bones));
+    stage_.beginLive(this, std::move(bones));
     stage_.setPointingAtFloor(bout_.steers());
     show();
     if (!framed_) stage_.frameAll();
@@ -50,7 +50,7 @@ void BoutStage::begin() {
 }
 
 void BoutStage::show() {
-    if (!isShown() || !stage_.isLive()) return;
+    if (!isShown() || !stage_.isLiveFor(this)) return;
     std::array<FigurePose, 2> poses;
     for (const int player : {0, 1}) {
         for (const Eigen::Vector3d& joint : bout_.tape()->now().shown(player).joints.positions)
