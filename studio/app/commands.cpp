@@ -44,7 +44,7 @@ bool Command::isOf(const QString& id) const {
 CommandTable::CommandTable(QWidget* window) : QObject(window), window_(window) {}
 
 void CommandTable::add(Command command) {
-    command.workspace = adding_;
+    if (command.workspace.isEmpty()) command.workspace = adding_;
     auto* action = new QAction(this);
     action->setObjectName(command.id);
     if (command.checked) action->setCheckable(true);

@@ -229,8 +229,8 @@ void MainWindow::shareSpace() {
     const int height = pages_->height();
     const int wished = std::min(timelineBox_->sizeHint().height(), 2 * height / 5);
     const int timeline = std::max(std::clamp(height / 4 - 12, 170, 300), wished);
-    // The timeline, and what takes its place in the Bout workspace.
-    rows_->setSizes({height - timeline - 1, timeline, timeline});
+    // The timeline, and what takes its place in the workspaces of made motions.
+    rows_->setSizes({height - timeline - 1, timeline, timeline, timeline});
     const int left = width() < 1600 ? 136 : 176;
     const int right = width() < 1600 ? 240 : 272;
     const int middle = width() - left - right - 2;

@@ -44,6 +44,7 @@
 #include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/label/label_views.h"
 #include "studio/workspaces/segment/segment_panel.h"
+#include "studio/workspaces/sequence/cluster_map.h"
 #include "studio/workspaces/sequence/sequence_bar.h"
 #include "studio/workspaces/sequence/sequence_commands.h"
 #include "studio/workspaces/sequence/sequence_panel.h"
@@ -168,12 +169,14 @@ void MainWindow::addSequenceWorkspace() {
     auto* panel = new SequencePanel(*sequence_, rightPanel_);
     auto* below = new QWidget(rows_);  // in the timeline's place
     auto* strip = new SequenceStrip(*sequence_, below);
+    auto* map = new ClusterMap(*sequence_, centres_);
     workspaces_->add({"sequence", tr("Sequence"), "sequence",
                       tr("Play actions in any order, led over to each other."), panel,
                       [this, panel, strip] {
                           addSequenceCommands(*commands_, *sequence_, *panel, *strip, *stage_);
                           panel->addCommands(*commands_);
-                      }});
+                      },
+                      map});
     panel->addStep(tr("Add clips…"), tr("Of motion files or other projects"),
                    [this] { commands_->run(QStringLiteral("sequence.clips")); });
     auto* box = new QVBoxLayout(below);
@@ -185,7 +188,10 @@ void MainWindow::addSequenceWorkspace() {
     const auto follow = [this, below] {
         const bool shown = workspaces_->current() == QLatin1String("sequence");
         below->setVisible(shown);
-        if (shown) timelineBox_->setVisible(false);
+        if (shown) {
+            timelineBox_->setVisible(false);
+            centres_->setVisible(sequence_->showsMap());
+        }
         sequence_->setActive(shown);
         if (shown) stage_->setFocus();
     };
@@ -196,6 +202,8 @@ void MainWindow::addSequenceWorkspace() {
         }
         if (sequence_->isActive()) showKeysHint();
     });
+    connect(sequence_, &SequenceSession::mapToggled, this,
+            [this] { centres_->setVisible(sequence_->showsMap()); });
     connect(workspaces_, &Workspaces::changed, sequence_, follow);
     follow();
 }
@@ -339,6 +347,7 @@ QStringList MainWindow::keysHint() const {
         {{"sequence.previous", "sequence.next"}, tr("block")},
         {{"sequence.earlier", "sequence.later"}, tr("move it")},
         {{"sequence.draw"}, tr("draw its transition anew")},
+        {{"sequence.map"}, tr("map of poses")},
         {{"sequence.live"}, tr("live")},
         {{"bout.keep"}, tr("keep as a take")},
         {{"graph.nextSurprise"}, tr("next surprise"), !measuring},

@@ -164,12 +164,15 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                   [view] { view->takeJoint(); },
                   [view] { return view->isMeasuring(); }});
     // Enabled only while measuring, so that Esc keeps its other meanings.
-    commands.add({"view.leaveMeasuring",
+    Command leave{"view.leaveMeasuring",
                   menu,
                   text("Leave measuring"),
                   {QKeySequence("Esc")},
                   [view] { view->setMeasuring(false); },
-                  [view] { return view->isMeasuring(); }});
+                  [view] { return view->isMeasuring(); }};
+    // Nothing is measured on made motions, where Esc leaves something else.
+    leave.workspace = QStringLiteral("segment label graph");
+    commands.add(std::move(leave));
     commands.add({"view.copyPicture",
                   group,
                   text("Co&py a picture"),

@@ -13,6 +13,7 @@
 #include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/sequence/cluster_map.h"
 #include "studio/workspaces/sequence/sequence_export.h"
 #include "studio/workspaces/sequence/sequence_panel.h"
 #include "studio/workspaces/sequence/sequence_session.h"
@@ -199,6 +200,30 @@ TEST_F(SequenceTest, ATransitionIsTakenAnotherWayDrawnAnewAndLocked) {
     press(Qt::Key_R);
     settle();
     EXPECT_NE(seeds()[1], before[1]) << "asked for by name";
+}
+
+TEST_F(SequenceTest, TheMapShowsTheWayOfATransition) {
+    openWorkspace();
+    addActions(3);
+    auto* map = window_->findChild<ClusterMap*>();
+    EXPECT_FALSE(map->isVisible());
+    window_->stage().setFocus();
+    press(Qt::Key_V);
+    EXPECT_TRUE(map->isVisible());
+    sequence().select(SequencePart{0, false});
+    EXPECT_TRUE(map->way().empty()) << "the first block is not led to";
+    sequence().select(SequencePart{1, true});
+    ASSERT_NE(sequence().selectedPiece(), nullptr);
+    EXPECT_EQ(map->way(), sequence().selectedPiece()->transition->visited);
+    EXPECT_FALSE(map->way().empty());
+    for (int cluster = 0; cluster < sequence().graph()->clusters.count(); ++cluster)
+        EXPECT_TRUE(map->rect().contains(map->placeOf(cluster).toPoint()));
+    window_->workspaces().show("segment");
+    EXPECT_FALSE(map->isVisible());
+    window_->workspaces().show("sequence");
+    EXPECT_TRUE(map->isVisible()) << "as it was left";
+    press(Qt::Key_V);
+    EXPECT_FALSE(map->isVisible());
 }
 
 TEST_F(SequenceTest, KeysPlayBlocksAtOnce) {

@@ -207,7 +207,7 @@ void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel*
     commands.add({"sequence.clear",
                   menu,
                   text("Clear the sequence"),
-                  {QKeySequence("Ctrl+Shift+Del")},
+                  {},
                   [sequence] { sequence->clear(); },
                   any});
 }
@@ -234,9 +234,16 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
     commands.add({"sequence.all",
                   menu,
                   text("Show all of it"),
-                  {QKeySequence("A")},
+                  {QKeySequence("Shift+A")},
                   [&strip] { strip.showAll(); },
                   [session] { return session->motion() != nullptr; }});
+    commands.add({"sequence.map",
+                  menu,
+                  text("&Map of poses"),
+                  {QKeySequence("V")},
+                  [session] { session->setMap(!session->showsMap()); },
+                  [session] { return session->library() != nullptr; },
+                  [session] { return session->showsMap(); }});
     commands.add({"sequence.clips",
                   group,
                   text("Add &clips of files…"),

@@ -72,7 +72,7 @@ SequencePanel::SequencePanel(SequenceSession& sequence, QWidget* parent)
                           fontMetrics().horizontalAdvance("00.0") + 14);
     layout->addWidget(table_, 1);
     layout->addWidget(new TransitionBox(sequence_, full_));
-    buttons_->setSpacing(6);
+    buttons_->setSpacing(4);
     layout->addLayout(buttons_);
     addWidget(empty_);
     addWidget(full_);

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "core/motion/blend.h"
+#include "core/transition/cluster_places.h"
 #include "studio/workspaces/graph/graph_session.h"
 
 namespace kumite::studio {
@@ -27,11 +28,13 @@ SequenceSource prepared(const Project& project, const Analysis& analysis,
         LoadedLibrary loaded = libraryOf(project, analysis, {}, progress.part(0, 0.5));
         source.findings = std::move(loaded.findings);
         source.library = std::make_shared<const MotionLibrary>(std::move(loaded.library));
-        source.graph = buildFlexibleGraph(source.library, {}, progress.part(0.5, 1));
+        source.graph = buildFlexibleGraph(source.library, {}, progress.part(0.5, 0.9));
+        source.places = clusterPlaces(source.graph->clusters, 1500, progress.part(0.9, 1));
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception& error) {
         source.library = nullptr;
+        source.graph = nullptr;
         source.whyNothing = QString::fromUtf8(error.what());
     }
     return source;

@@ -21,6 +21,7 @@ struct SequenceSource {
     Project made;  ///< what it was made of, without drafts
     std::shared_ptr<const MotionLibrary> library;
     std::shared_ptr<const FlexibleGraph> graph;
+    std::vector<Eigen::Vector2d> places;  ///< of the clusters, for a map
     Findings findings;
     QString whyNothing;  ///< what is missing; else empty
 };
@@ -53,6 +54,11 @@ public:
     /// Null until it was prepared for the first time, or where there is nothing to make it of.
     const MotionLibrary* library() const;
     std::shared_ptr<const MotionLibrary> sharedLibrary() const;
+    /// Null where there is no library.
+    std::shared_ptr<const FlexibleGraph> graph() const {
+        return source_ ? source_->graph : nullptr;
+    }
+    const std::vector<Eigen::Vector2d>& places() const { return source_->places; }
     const Findings& findings() const;
     /// Of the project that the library was made of.
     int takeCount() const { return source_ ? static_cast<int>(source_->made.takes.size()) : 0; }
@@ -91,6 +97,13 @@ public:
     // What is shown in the 3D view: the sequence, an action of the browser, or what keys drive.
     enum class Showing { Sequence, Action, Live };
     Showing showing() const { return showing_; }
+    /// Whether the map of poses stands beside the 3D view.
+    bool showsMap() const { return map_; }
+    void setMap(bool on) {
+        map_ = on;
+        Q_EMIT mapToggled();
+        Q_EMIT stateChanged();
+    }
     /// Plays an action in a loop; nothing: back to the sequence.
     void preview(const std::optional<LibraryAction>& action);
     /// Keys play actions at once.
@@ -117,6 +130,7 @@ Q_SIGNALS:
     void moved();
     /// Plays, prepares, shows something else: what commands and buttons depend on.
     void stateChanged();
+    void mapToggled();
     void failed(const QString& sentence);
 
 private:
@@ -133,6 +147,7 @@ private:
     QTimer due_, timer_;
     QElapsedTimer clock_;
     bool active_ = false;
+    bool map_ = false;
     std::shared_ptr<const SequenceSource> source_;
     SequenceDraft draft_, shownDraft_;
     std::shared_ptr<const SequenceMotion> motion_;

@@ -63,13 +63,13 @@ void TransitionBox::refresh() {
     const DraftBlock& planned = sequence_.draft().blocks[static_cast<std::size_t>(*block)];
     const double rate = sequence_.motion()->clip.rate;
     const QString seconds = QString::number(found->frames.size() / rate, 'f', 2);
-    const QString method =
-        report.method == TransitionMethod::Graph
-            ? tr("recorded clips between %n cluster(s)", nullptr,
-                 static_cast<int>(report.visited.size()))
-        : report.method == TransitionMethod::Bezier
-            ? tr("a curve through %n pose(s)", nullptr, static_cast<int>(report.visited.size()))
-            : tr("straight from pose to pose");
+    QString method = tr("straight from pose to pose");
+    if (report.method == TransitionMethod::Bezier) method = tr("on a curve");
+    if (report.method == TransitionMethod::Graph) {
+        method = report.visited.size() > 1
+                     ? tr("along recorded clips past %1 poses").arg(report.visited.size())
+                     : tr("between poses that are alike");
+    }
     text_->setText(tr("To %1: %2 s, %3%4")
                        .arg(sequence_.titleOf(planned), seconds, method,
                             planned.locked ? tr(". Locked.") : QStringLiteral(".")));
