@@ -19,10 +19,15 @@ void SequenceStage::begin() {
     if (wanted == library_) return;
     library_ = wanted;
     if (library_ == nullptr) {
+        if (followed_) stage_.setFollowing(*followed_);
+        followed_.reset();
         stage_.endLive(this);
         framed_ = false;
         return;
     }
+    // Motions of many places follow each other: the camera goes along.
+    if (!followed_) followed_ = stage_.isFollowing();
+    stage_.setFollowing(true);
     std::array<std::vector<Bone>, 2> bones;
     bones[0] = bonesOf(*library_->skeleton, library_->rig->roles, library_->space.metresPerUnit);
     stage_.beginLive(this, std::move(bones));

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include <memory>
+#include <optional>
 
 #include "core/motion/motion_library.h"
 
@@ -27,6 +28,7 @@ private:
     StageView& stage_;
     std::shared_ptr<const MotionLibrary> library_;  ///< whose figure is shown; null: none is
     bool framed_ = false;
+    std::optional<bool> followed_;  ///< whether the camera followed the take before
 };
 
 }  // namespace kumite::studio
