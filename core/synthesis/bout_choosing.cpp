@@ -12,7 +12,7 @@ namespace {
 /// How long after its moment an action still counts as something to answer, seconds.
 constexpr double kLatestAnswer = 0.25;
 /// How far a target may bend the way of an action, metres.
-constexpr double kMostSteering = 0.2;
+constexpr double kMostSteering = 0.15;
 /// A target nearer to the other one's pelvis is taken as this far from it, metres.
 constexpr double kLeastDistance = 0.8;
 /// A join takes as long as keeps what it adds below this acceleration, rad/s².

@@ -119,8 +119,7 @@ void JoinSteps::plan(Step& step, const FootAtJoin& foot, double rate) const {
 /// motion has it then and last, because the whole body may still be on its way.
 void JoinSteps::aim(Step& step, const FootAtJoin& foot, double rate) {
     const std::size_t last = foot.next.size() - 1;
-    const auto then =
-        std::min(static_cast<std::size_t>(std::lround(step.end * rate)), last);
+    const auto then = std::min(static_cast<std::size_t>(std::lround(step.end * rate)), last);
     step.to = foot.next[then];
     if (step.way == Step::Way::Joins) return;
     step.stays = foot.landing >= 0 && then < static_cast<std::size_t>(foot.lift);
@@ -167,8 +166,7 @@ void JoinSteps::apply(const Rig& rig, Pose& pose, const Pose& next, Standing& st
             place += decayed(step.offset, step.velocity, seconds, step.end);
         } else {
             const double height = decayed(step.offset, step.velocity, seconds, step.end).y();
-            place =
-                step.to + decayed(step.offset, step.velocity, seconds, kOverThere * step.end);
+            place = step.to + decayed(step.offset, step.velocity, seconds, kOverThere * step.end);
             place.y() = step.to.y() + height;
         }
         // The higher it is anyway, the less it has to be lifted.

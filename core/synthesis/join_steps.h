@@ -61,7 +61,7 @@ private:
         bool stays = false;                                  ///< it stands when it has arrived:
         Eigen::Vector3d to = Eigen::Vector3d::Zero();        ///< there, beside the next motion
         Eigen::Vector3d beside = Eigen::Vector3d::Zero();    ///< by so much
-        double floor = 0;   ///< metres, where it stands
+        double floor = 0;                                    ///< metres, where it stands
         double height = 0;  ///< metres over it in the middle of the step
         double begin = 0;   ///< seconds after the join
         double end = 0;
