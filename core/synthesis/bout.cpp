@@ -61,7 +61,10 @@ Bout::Bout(std::shared_ptr<const BoutLibrary> library, const BoutSettings& setti
         lock.floor = fighter.footRest;
         of(player).lock.emplace(fighter.rig, library_->rate, lock);
     }
-    separation_ = Separation({library_->fighter(0).rig, library_->fighter(1).rig}, library_->rate);
+    SeparationSettings separation;
+    separation.floor = {library_->fighter(0).footRest, library_->fighter(1).footRest};
+    separation_ = Separation({library_->fighter(0).rig, library_->fighter(1).rig}, library_->rate,
+                             separation);
     start();
 }
 
