@@ -11,20 +11,23 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kNoStep = 0.03;        ///< metres that a foot may slide over
-constexpr double kFarthestHeld = 0.18;  ///< metres that a standing foot may be from its next place
+constexpr double kFarthestHeld = 0.16;  ///< metres that a standing foot may be from its next place
 constexpr double kLeastLift = 0.02;     ///< metres, and
 constexpr double kLiftPerMetre = 0.5;
 constexpr double kHighestLift = 0.09;
-constexpr double kLeastStep = 0.22;    ///< seconds that a step from the floor takes, and
-constexpr double kLeastFlight = 0.12;  ///< one from the air, and
-constexpr double kStepPerMetre = 0.5;
+constexpr double kLeastStep = 0.3;     ///< seconds that a step from the floor takes, and
+constexpr double kLeastFlight = 0.18;  ///< one from the air, and
+constexpr double kStepPerMetre = 0.6;
 constexpr double kStepPerSpeed = 0.06;  ///< seconds more for each m/s that a flying foot loses
-constexpr double kLongestStep = 0.5;
-constexpr double kUpAndDown = 0.2;      ///< share of a step before and after the foot goes over
-constexpr double kOverThere = 0.75;     ///< share after which one that lands only goes down
-constexpr double kBack = 0.15;          ///< seconds in which one that has arrived is let go
-constexpr double kWait = 0.4;           ///< share of a step for which the other foot waits
-constexpr double kSharpestBend = 2.65;  ///< radians at a knee or elbow, from straight
+constexpr double kLongestStep = 0.6;
+constexpr double kShortestStep = 0.15;
+/// A foot this high over the floor is left to the joined motion, wholly from the second height on.
+constexpr double kLow = 0.15, kHigh = 0.4;  ///< metres
+constexpr double kUpAndDown = 0.2;          ///< share of a step before and after the foot goes over
+constexpr double kOverThere = 0.75;         ///< share after which one that lands only goes down
+constexpr double kBack = 0.15;              ///< seconds in which one that has arrived is let go
+constexpr double kWait = 0.4;               ///< share of a step for which the other foot waits
+constexpr double kSharpestBend = 2.65;      ///< radians at a knee or elbow, from straight
 
 constexpr std::array kAnkles = {Role::LeftAnkle, Role::RightAnkle};
 
@@ -118,15 +121,21 @@ void JoinSteps::plan(Step& step, const FootAtJoin& foot, double rate) const {
 /// Where a foot goes that will stand when it has arrived: half way between where the following
 /// motion has it then and last, because the whole body may still be on its way.
 void JoinSteps::aim(Step& step, const FootAtJoin& foot, double rate) {
-    const std::size_t last = foot.next.size() - 1;
-    const auto then = std::min(static_cast<std::size_t>(std::lround(step.end * rate)), last);
-    step.to = foot.next[then];
-    if (step.way == Step::Way::Joins) return;
+    // One that lifts again soon has to hurry.
+    const double lift = (foot.lift - 1) / rate;
+    if (foot.landing >= 0 && lift < step.end && lift >= kShortestStep &&
+        static_cast<std::size_t>(foot.lift) < foot.next.size())
+        step.end = lift;
+    const auto then = static_cast<std::size_t>(std::lround(step.end * rate));
     step.stays = foot.landing >= 0 && then < static_cast<std::size_t>(foot.lift);
+    if (step.way == Step::Way::Joins) return;
     if (step.stays) {
-        step.beside = 0.5 * (foot.next[static_cast<std::size_t>(foot.lift) - 1] - step.to);
-        step.to += step.beside;
+        step.to = 0.5 * (foot.next[then] + foot.next[static_cast<std::size_t>(foot.lift) - 1]);
         longest_ = std::max(longest_, step.end + kBack);
+    } else if (step.way == Step::Way::Lands) {
+        // It is up again before it could be there.
+        step.way = Step::Way::Joins;
+        return;
     }
     if (step.way == Step::Way::Lands) {
         step.offset = foot.place - step.to;
@@ -158,7 +167,8 @@ void JoinSteps::apply(const Rig& rig, Pose& pose, const Pose& next, Standing& st
         if (s < 1) standing[side] = s <= 0 && step.way == Step::Way::Over;
         Vector3d place = nextFrames.positions[point];
         if (s >= 1) {
-            place += (1 - smooth((seconds - step.end) / kBack)) * step.beside;
+            if (step.stays && step.way != Step::Way::Joins)
+                place = step.to + smooth((seconds - step.end) / kBack) * (place - step.to);
         } else if (step.way == Step::Way::Over) {
             const double there = smooth((s - kUpAndDown) / (1 - 2 * kUpAndDown));
             place = step.from + there * ((step.stays ? step.to : place) - step.from);
@@ -172,8 +182,12 @@ void JoinSteps::apply(const Rig& rig, Pose& pose, const Pose& next, Standing& st
         // The higher it is anyway, the less it has to be lifted.
         const double lift = 16 * s * s * (1 - s) * (1 - s) * step.height;
         place.y() += lift * std::exp(-std::max(0.0, place.y() - step.floor) / step.height);
+        const Vector3d& shown = frames.positions[point];
+        const double high = std::min(shown.y(), place.y()) - step.floor;
+        const double guided = 1 - smooth((high - kLow) / (kHigh - kLow));
+        if (guided <= 0) continue;
         const Vector3d ankle = frames.positions[static_cast<std::size_t>(step.leg->end)];
-        reach(rig, pose, frames, *step.leg, ankle + place - frames.positions[point]);
+        reach(rig, pose, frames, *step.leg, ankle + guided * (place - shown));
     }
 }
 

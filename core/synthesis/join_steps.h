@@ -58,9 +58,8 @@ private:
         Eigen::Vector3d from = Eigen::Vector3d::Zero();      ///< Over
         Eigen::Vector3d offset = Eigen::Vector3d::Zero();    ///< of one that flies, from where it
         Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< goes, and how fast that changes
-        bool stays = false;                                  ///< it stands when it has arrived:
-        Eigen::Vector3d to = Eigen::Vector3d::Zero();        ///< there, beside the next motion
-        Eigen::Vector3d beside = Eigen::Vector3d::Zero();    ///< by so much
+        bool stays = false;                                  ///< it stands when it has arrived,
+        Eigen::Vector3d to = Eigen::Vector3d::Zero();        ///< there
         double floor = 0;                                    ///< metres, where it stands
         double height = 0;  ///< metres over it in the middle of the step
         double begin = 0;   ///< seconds after the join
