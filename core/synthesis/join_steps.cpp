@@ -20,14 +20,13 @@ constexpr double kLeastFlight = 0.18;  ///< one from the air, and
 constexpr double kStepPerMetre = 0.6;
 constexpr double kStepPerSpeed = 0.06;  ///< seconds more for each m/s that a flying foot loses
 constexpr double kLongestStep = 0.6;
-constexpr double kShortestStep = 0.15;
 /// A foot this high over the floor is left to the joined motion, wholly from the second height on.
-constexpr double kLow = 0.15, kHigh = 0.4;  ///< metres
-constexpr double kUpAndDown = 0.2;          ///< share of a step before and after the foot goes over
-constexpr double kOverThere = 0.75;         ///< share after which one that lands only goes down
-constexpr double kBack = 0.15;              ///< seconds in which one that has arrived is let go
-constexpr double kWait = 0.4;               ///< share of a step for which the other foot waits
-constexpr double kSharpestBend = 2.65;      ///< radians at a knee or elbow, from straight
+constexpr double kLow = 0.2, kHigh = 0.6;  ///< metres
+constexpr double kUpAndDown = 0.2;         ///< share of a step before and after the foot goes over
+constexpr double kOverThere = 0.75;        ///< share after which one that lands only goes down
+constexpr double kBack = 0.15;             ///< seconds in which one that has arrived is let go
+constexpr double kWait = 0.4;              ///< share of a step for which the other foot waits
+constexpr double kSharpestBend = 2.65;     ///< radians at a knee or elbow, from straight
 
 constexpr std::array kAnkles = {Role::LeftAnkle, Role::RightAnkle};
 
@@ -118,25 +117,16 @@ void JoinSteps::plan(Step& step, const FootAtJoin& foot, double rate) const {
     step.height = std::min(kLeastLift + kLiftPerMetre * way, kHighestLift);
 }
 
-/// Where a foot goes that will stand when it has arrived: half way between where the following
+/// Where a foot goes: if it will stand when it has arrived, half way between where the following
 /// motion has it then and last, because the whole body may still be on its way.
 void JoinSteps::aim(Step& step, const FootAtJoin& foot, double rate) {
-    // One that lifts again soon has to hurry.
-    const double lift = (foot.lift - 1) / rate;
-    if (foot.landing >= 0 && lift < step.end && lift >= kShortestStep &&
-        static_cast<std::size_t>(foot.lift) < foot.next.size())
-        step.end = lift;
-    const auto then = static_cast<std::size_t>(std::lround(step.end * rate));
-    step.stays = foot.landing >= 0 && then < static_cast<std::size_t>(foot.lift);
     if (step.way == Step::Way::Joins) return;
-    if (step.stays) {
-        step.to = 0.5 * (foot.next[then] + foot.next[static_cast<std::size_t>(foot.lift) - 1]);
-        longest_ = std::max(longest_, step.end + kBack);
-    } else if (step.way == Step::Way::Lands) {
-        // It is up again before it could be there.
-        step.way = Step::Way::Joins;
-        return;
-    }
+    const auto then = static_cast<std::size_t>(std::lround(step.end * rate));
+    step.to = foot.next[std::min(then, foot.next.size() - 1)];
+    const bool stays = foot.landing >= 0 && then < static_cast<std::size_t>(foot.lift);
+    if (stays) step.to = 0.5 * (step.to + foot.next[static_cast<std::size_t>(foot.lift) - 1]);
+    step.stops = stays || step.way == Step::Way::Lands;
+    if (step.stops) longest_ = std::max(longest_, step.end + kBack);
     if (step.way == Step::Way::Lands) {
         step.offset = foot.place - step.to;
         step.velocity = foot.velocity;
@@ -167,11 +157,11 @@ void JoinSteps::apply(const Rig& rig, Pose& pose, const Pose& next, Standing& st
         if (s < 1) standing[side] = s <= 0 && step.way == Step::Way::Over;
         Vector3d place = nextFrames.positions[point];
         if (s >= 1) {
-            if (step.stays && step.way != Step::Way::Joins)
+            if (step.stops)
                 place = step.to + smooth((seconds - step.end) / kBack) * (place - step.to);
         } else if (step.way == Step::Way::Over) {
             const double there = smooth((s - kUpAndDown) / (1 - 2 * kUpAndDown));
-            place = step.from + there * ((step.stays ? step.to : place) - step.from);
+            place = step.from + there * ((step.stops ? step.to : place) - step.from);
         } else if (step.way == Step::Way::Joins) {
             place += decayed(step.offset, step.velocity, seconds, step.end);
         } else {
@@ -183,7 +173,7 @@ void JoinSteps::apply(const Rig& rig, Pose& pose, const Pose& next, Standing& st
         const double lift = 16 * s * s * (1 - s) * (1 - s) * step.height;
         place.y() += lift * std::exp(-std::max(0.0, place.y() - step.floor) / step.height);
         const Vector3d& shown = frames.positions[point];
-        const double high = std::min(shown.y(), place.y()) - step.floor;
+        const double high = std::max(shown.y(), place.y()) - step.floor;
         const double guided = 1 - smooth((high - kLow) / (kHigh - kLow));
         if (guided <= 0) continue;
         const Vector3d ankle = frames.positions[static_cast<std::size_t>(step.leg->end)];

@@ -58,7 +58,7 @@ private:
         Eigen::Vector3d from = Eigen::Vector3d::Zero();      ///< Over
         Eigen::Vector3d offset = Eigen::Vector3d::Zero();    ///< of one that flies, from where it
         Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< goes, and how fast that changes
-        bool stays = false;                                  ///< it stands when it has arrived,
+        bool stops = false;                                  ///< comes to rest when it arrives,
         Eigen::Vector3d to = Eigen::Vector3d::Zero();        ///< there
         double floor = 0;                                    ///< metres, where it stands
         double height = 0;  ///< metres over it in the middle of the step
