@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,12 +11,6 @@ namespace kumite {
 namespace {
 
 constexpr const char* kColours[] = {"#c0503a", "#4878b0"};  ///< of players 1 and 2
-
-/// An action of a bout and when it ended.
-struct ShownAction {
-    std::shared_ptr<const BoutChoice> choice;
-    int end = 0;
-};
 
 /// The aspects of a label that are not at their fallback, with their qualifiers.
 std::vector<std::pair<std::size_t, int>> techniquesOf(const Vocabulary& vocabulary,
@@ -30,34 +25,40 @@ std::vector<std::pair<std::size_t, int>> techniquesOf(const Vocabulary& vocabula
     return techniques;
 }
 
+/// What both players chose and showed to its end, in order of time.
+std::vector<ShownAction> finished(const BoutTape& tape) {
+    std::vector<ShownAction> list;
+    for (const int player : {0, 1}) {
+        auto shown = actionsShown(tape, player);
+        shown.pop_back();
+        std::copy_if(shown.begin(), shown.end(), std::back_inserter(list),
+                     [](const ShownAction& each) { return each.choice && each.node != kAnyNode; });
+    }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const ShownAction& a, const ShownAction& b) { return a.begin < b.begin; });
+    return list;
+}
+
 /// The first actions that show a technique, then those with other labels; in order of time.
 std::vector<ShownAction> firstOfEach(const BoutTape& tape, int most) {
     const BoutLibrary& library = tape.first().library();
     std::vector<ShownAction> fresh, others;
     std::set<std::pair<std::size_t, int>> known;
     std::set<std::string> labels;
-    const auto& choices = tape.choices();
-    for (std::size_t i = 0; i < choices.size(); ++i) {
-        const auto& choice = choices[i];
-        if (choice->node == kAnyNode) continue;
-        const GraphNode& node = library.graph->node(choice->player, choice->node);
+    for (const ShownAction& shown : finished(tape)) {
+        const GraphNode& node = library.graph->node(shown.choice->player, shown.node);
         const auto techniques = techniquesOf(library.vocabulary(), node.label);
-        if (techniques.empty()) continue;
-        const auto next =
-            std::find_if(choices.begin() + static_cast<std::ptrdiff_t>(i) + 1, choices.end(),
-                         [&](const auto& each) { return each->player == choice->player; });
-        if (next == choices.end() || !labels.insert(node.text).second) continue;
+        if (techniques.empty() || !labels.insert(node.text).second) continue;
         const std::size_t before = known.size();
         known.insert(techniques.begin(), techniques.end());
-        (known.size() > before ? fresh : others).push_back({choice, (*next)->frame});
+        (known.size() > before ? fresh : others).push_back(shown);
     }
     const auto room = static_cast<std::size_t>(std::max(0, most));
     fresh.resize(std::min(fresh.size(), room));
     others.resize(std::min(others.size(), room - fresh.size()));
     fresh.insert(fresh.end(), others.begin(), others.end());
-    std::stable_sort(fresh.begin(), fresh.end(), [](const ShownAction& a, const ShownAction& b) {
-        return a.choice->frame < b.choice->frame;
-    });
+    std::stable_sort(fresh.begin(), fresh.end(),
+                     [](const ShownAction& a, const ShownAction& b) { return a.begin < b.begin; });
     return fresh;
 }
 
