@@ -10,6 +10,7 @@
 #include "core/cli/command.h"
 #include "core/formats/bvh.h"
 #include "core/project/bout.h"
+#include "core/project/bout_report.h"
 #include "core/project/bout_strips.h"
 #include "core/project/kept_bout.h"
 #include "core/synthesis/bout_quality.h"
@@ -20,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string project, mode = "auto", out, script, attack, strips;
+    std::string project, mode = "auto", out, script, attack, strips, report;
     double seconds = 30;
     std::uint64_t seed = 1;
     double temperature = 1;
@@ -111,13 +112,13 @@ Timing fight(BoutTape& tape, int frames, const Progress& progress) {
 }
 
 void printQuality(const Json& bout, const Json& recording, const Streams& streams) {
-    streams.out << fmt::format("{:30}{:>10}{:>12}\n", "", "bout", "recording");
+    streams.out << fmt::format("{:41}{:>10}{:>12}\n", "", "bout", "recording");
     const auto text = [](const Json& value) {
         return value.is_number() ? fixed(value.get<double>(), 3) : std::string("-");
     };
     for (const auto& [name, value] : bout.items()) {
         if (value.is_object()) continue;
-        streams.out << fmt::format("{:30}{:>10}{:>12}\n", name, text(value), text(recording[name]));
+        streams.out << fmt::format("{:41}{:>10}{:>12}\n", name, text(value), text(recording[name]));
     }
 }
 
@@ -151,6 +152,11 @@ void runBout(const Options& o, const Streams& streams) {
 
     const RecordingQuality recording = recordingQuality(*prepared.library);
     const Quality quality = boutQuality(tape, recording.bar, streams.progress("judging"));
+    if (!o.report.empty()) {
+        writeBoutReport(
+            {std::filesystem::path(o.project).stem().string(), quality, recording.quality}, tape,
+            o.report, streams.progress("drawing"));
+    }
     if (o.json) {
         const Json json = {{"frames", tape.end() + 1},
                            {"rate", prepared.library->rate},
@@ -197,6 +203,9 @@ void addBout(CLI::App& app, Action& action) {
                         "TAKE:A:B, the frames of the attack; else the busiest ten seconds");
     command->add_option("--strips", o->strips,
                         "an .svg: synthesised actions beside the recorded ones they are made from");
+    command->add_option("--report", o->report,
+                        "a folder for report.md, quality.json and strips.svg: the bout's quality "
+                        "beside the recording's, and the strips");
     command->add_flag("--json", o->json, "one JSON object on standard output");
     command->footer(
         "A script: {\"kumite_script\": 1, \"commands\": [COMMAND…]}, each COMMAND with \"at\" "

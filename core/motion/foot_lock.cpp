@@ -12,6 +12,10 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// With this share of speed times duration `decayed` slows down without turning back: its speed is
+/// then v0 (1 − s)³ (1 + 3 s).
+constexpr double kOnward = 0.4;
+
 /// 1 at 0, 0 at 1 and beyond, level at both.
 double fading(double s) {
     if (s >= 1) return 0;
@@ -73,15 +77,17 @@ void FootLock::change(Foot& foot, std::size_t side, const Vector3d& raw,
     if (started_) foot.velocity = (foot.shown - foot.shownBefore) * rate_;
     if (!foot.locked) return;
 
-    // Held where it is; the speed that it has carries it on for a moment.
+    // Held where its speed carries it until it has come to rest, without a way back.
     foot.anchor = raw + foot.shown;
     if (started_) foot.velocity += levelled(raw - foot.rawBefore) * rate_;
+    const Vector3d onward = kOnward * settings_.ease * levelled(foot.velocity);
+    foot.anchor += onward;
     double lowest = raw.y();
     for (std::size_t i = 1; i < ahead.size() && standing[i][side]; ++i)
         lowest = std::min(lowest, legOf(foot, ahead[i]).point.y());
     foot.sink =
         std::clamp(lowest - settings_.floor[side] - settings_.onToes, 0.0, settings_.highestSink);
-    foot.offset = Vector3d(0, foot.shown.y() + foot.sink, 0);
+    foot.offset = Vector3d(0, foot.shown.y() + foot.sink, 0) - onward;
 }
 
 Vector3d FootLock::correctionOf(Foot& foot, std::size_t side, std::span<const Pose> ahead,
@@ -101,6 +107,16 @@ Vector3d FootLock::correctionOf(Foot& foot, std::size_t side, std::span<const Po
     correction.y() = std::max(correction.y(), settings_.floor[side] - raw.y());
     foot.rawBefore = raw;
     return correction;
+}
+
+void FootLock::settle(bool left) {
+    Foot& foot = feet_[left ? 0 : 1];
+    foot.rawBefore += foot.shown;
+    foot.offset.setZero();
+    foot.velocity.setZero();
+    foot.sink = 0;
+    foot.shown.setZero();
+    foot.shownBefore.setZero();
 }
 
 double FootLock::dropFor(std::span<const Pose> ahead, std::span<const Standing> standing) {

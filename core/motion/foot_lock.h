@@ -47,6 +47,8 @@ public:
     int useful() const { return useful_; }
     /// By how much the foot point was moved in the frame shown last, metres.
     Eigen::Vector3d correction(bool left) const { return feet_[left ? 0 : 1].shown; }
+    /// The motion itself goes on from where that foot was shown last: nothing is left to correct.
+    void settle(bool left);
     /// By how much the hips were lowered in the frame shown last, metres.
     double drop() const { return drop_; }
 

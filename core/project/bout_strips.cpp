@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,40 +12,54 @@ namespace {
 
 constexpr const char* kColours[] = {"#c0503a", "#4878b0"};  ///< of players 1 and 2
 
-/// Whether something happens beside steps.
-bool isTechnique(const Vocabulary& vocabulary, const Label& label) {
+/// The aspects of a label that are not at their fallback, with their qualifiers.
+std::vector<std::pair<std::size_t, int>> techniquesOf(const Vocabulary& vocabulary,
+                                                      const Label& label) {
+    std::vector<std::pair<std::size_t, int>> techniques;
     for (std::size_t a = 0; a < label.size(); ++a) {
         const Aspect& aspect = vocabulary.aspects[a];
         if (aspect.classifier != Classifier::MoveRule && label[a] != kUnknown &&
             aspect.fallback != label[a])
-            return true;
+            techniques.emplace_back(a, label[a]);
     }
-    return false;
+    return techniques;
 }
 
-/// An action of a bout and when it ended.
-struct ShownAction {
-    std::shared_ptr<const BoutChoice> choice;
-    int end = 0;
-};
-
-std::vector<ShownAction> firstOfEachLabel(const BoutTape& tape, int most) {
-    const BoutLibrary& library = tape.first().library();
+/// What both players chose and showed to its end, in order of time.
+std::vector<ShownAction> finished(const BoutTape& tape) {
     std::vector<ShownAction> list;
-    std::set<std::string> seen;
-    const auto& choices = tape.choices();
-    for (std::size_t i = 0; i < choices.size() && static_cast<int>(list.size()) < most; ++i) {
-        const auto& choice = choices[i];
-        if (choice->node == kAnyNode) continue;
-        const GraphNode& node = library.graph->node(choice->player, choice->node);
-        if (!isTechnique(library.vocabulary(), node.label)) continue;
-        const auto next =
-            std::find_if(choices.begin() + static_cast<std::ptrdiff_t>(i) + 1, choices.end(),
-                         [&](const auto& each) { return each->player == choice->player; });
-        if (next == choices.end() || !seen.insert(node.text).second) continue;
-        list.push_back({choice, (*next)->frame});
+    for (const int player : {0, 1}) {
+        auto shown = actionsShown(tape, player);
+        shown.pop_back();
+        std::copy_if(shown.begin(), shown.end(), std::back_inserter(list),
+                     [](const ShownAction& each) { return each.choice && each.node != kAnyNode; });
     }
+    std::stable_sort(list.begin(), list.end(),
+                     [](const ShownAction& a, const ShownAction& b) { return a.begin < b.begin; });
     return list;
+}
+
+/// The first actions that show a technique, then those with other labels; in order of time.
+std::vector<ShownAction> firstOfEach(const BoutTape& tape, int most) {
+    const BoutLibrary& library = tape.first().library();
+    std::vector<ShownAction> fresh, others;
+    std::set<std::pair<std::size_t, int>> known;
+    std::set<std::string> labels;
+    for (const ShownAction& shown : finished(tape)) {
+        const GraphNode& node = library.graph->node(shown.choice->player, shown.node);
+        const auto techniques = techniquesOf(library.vocabulary(), node.label);
+        if (techniques.empty() || !labels.insert(node.text).second) continue;
+        const std::size_t before = known.size();
+        known.insert(techniques.begin(), techniques.end());
+        (known.size() > before ? fresh : others).push_back(shown);
+    }
+    const auto room = static_cast<std::size_t>(std::max(0, most));
+    fresh.resize(std::min(fresh.size(), room));
+    others.resize(std::min(others.size(), room - fresh.size()));
+    fresh.insert(fresh.end(), others.begin(), others.end());
+    std::stable_sort(fresh.begin(), fresh.end(),
+                     [](const ShownAction& a, const ShownAction& b) { return a.begin < b.begin; });
+    return fresh;
 }
 
 }  // namespace
@@ -54,7 +69,7 @@ std::string boutStripsSvg(const BoutTape& tape, const BoutStripSettings& setting
     const BoutLibrary& library = tape.first().library();
     const std::array<Clip, 2> clips = boutClips(tape, progress.part(0, 0.8));
     std::vector<FilmRow> rows;
-    for (const ShownAction& shown : firstOfEachLabel(tape, settings.most)) {
+    for (const ShownAction& shown : firstOfEach(tape, settings.most)) {
         const BoutChoice& choice = *shown.choice;
         const int player = choice.player;
         const BoutAction& action = library.fighter(player).action(choice.action);

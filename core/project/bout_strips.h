@@ -15,9 +15,9 @@ struct BoutStripSettings {
 };
 
 /// Synthesised actions beside the recorded ones that they were made from (paper A, Fig. 14), as an
-/// SVG picture: for each label that says more than steps, the first time a bout shows it, a row of
-/// the bout and a row of the sample with its recorded opponent, at the same shares of the action.
-/// Cancellable.
+/// SVG picture: of each technique, and then of other labels that say more than steps, the first
+/// time a bout shows it, a row of the bout and a row of the sample with its recorded opponent, at
+/// the same shares of the action. Cancellable.
 std::string boutStripsSvg(const BoutTape& tape, const BoutStripSettings& settings = {},
                           const Progress& progress = {});
 

@@ -19,27 +19,6 @@ namespace {
 
 constexpr double kTolerance = 0.066;  ///< seconds
 
-/// What a player showed: the frames at which actions begin and end, and what they are.
-struct ShownAction {
-    int begin = 0;
-    int end = 0;
-    int action = -1;
-    int node = kAnyNode;
-};
-
-std::vector<ShownAction> actionsShown(const BoutTape& tape, int player) {
-    const FighterShown& first = tape.first().shown(player);
-    std::vector<ShownAction> actions = {{0, tape.end(), first.action, first.node}};
-    for (const auto& choice : tape.choices()) {
-        if (choice->player != player || choice->frame >= tape.end()) continue;
-        actions.back().end = choice->frame;
-        // The very first choice may fall on frame 0, where nothing of the action before was shown.
-        if (choice->frame == 0) actions.clear();
-        actions.push_back({choice->frame, tape.end(), choice->action, choice->node});
-    }
-    return actions;
-}
-
 /// Corrections that leave exactly these boundaries of what detection finds.
 std::vector<Correction> correctionsFor(const std::vector<int>& wanted,
                                        const std::vector<int>& detected, double reach) {

@@ -14,6 +14,8 @@ struct JointMotion {
     std::vector<float> acceleration;  ///< rad/s²
 };
 
+inline constexpr double kAfterJoin = 0.2;  ///< seconds behind a join that count as at it
+
 /// A clip's joint motion, parted at its joins: what lies from the frame before a join until
 /// `after` seconds behind it, and the rest.
 struct JoinMotion {
@@ -23,7 +25,7 @@ struct JoinMotion {
 
 /// `joins` are frames of the clip at which one action ends and the next begins. The velocity of
 /// frame f is that of the turn from f to f + 1; its acceleration the change of velocity over f.
-JoinMotion measureJoins(const Clip& clip, std::span<const int> joins, double after = 0.2);
+JoinMotion measureJoins(const Clip& clip, std::span<const int> joins, double after = kAfterJoin);
 
 /// The value below which the share `p` of the values lies, linear between ranks; 0 of none.
 double percentile(std::vector<float> values, double p);

@@ -104,6 +104,7 @@ nlohmann::ordered_json qualityJson(const Quality& quality) {
     json["interpenetration_cm"] = orNull(worst(quality.interpenetration), 100);
     json["join_acceleration_p99_ratio"] = orNull(quality.joinAccelerationRatio);
     json["join_velocity_p99_ratio"] = orNull(quality.joinVelocityRatio);
+    json["join_acceleration_p99_ratio_as_recorded"] = orNull(quality.recordedAccelerationRatio);
     json["facing_error_deg"] = orNull(quality.facingError, 180 / std::numbers::pi);
     json["distance_m"] = nullptr;
     if (const auto& distance = quality.distance) {

@@ -37,6 +37,9 @@ struct Quality {
     std::optional<Penetration> interpenetration;
     std::optional<double> joinAccelerationRatio;  ///< 99th percentiles, joins over the bar
     std::optional<double> joinVelocityRatio;
+    /// Of a synthesised motion: the first one, had its actions begun as they did when they were
+    /// recorded. What goes beyond that is due to joins, the rest to what was chosen.
+    std::optional<double> recordedAccelerationRatio;
     std::optional<double> facingError;  ///< radians
     std::optional<FighterDistance> distance;
     std::optional<double> hitTiming;    ///< seconds
@@ -53,8 +56,9 @@ JointMotionBar barOf(const JudgedMotion& recording);
 
 /// As the command line writes it: `foot_skate`, `penetration`, `interpenetration` (shares),
 /// `penetration_cm`, `interpenetration_cm` (worst), `join_acceleration_p99_ratio`,
-/// `join_velocity_p99_ratio`, `facing_error_deg`, `distance_m` {`nearest`, `mean`, `farthest`},
-/// `hit_timing_ms`, `variety` (share of distinct runs of three labels). Null where not known.
+/// `join_velocity_p99_ratio`, `join_acceleration_p99_ratio_as_recorded`, `facing_error_deg`,
+/// `distance_m` {`nearest`, `mean`, `farthest`}, `hit_timing_ms`, `variety` (share of distinct runs
+/// of three labels). Null where not known.
 nlohmann::ordered_json qualityJson(const Quality& quality);
 
 }  // namespace kumite

@@ -61,7 +61,10 @@ Bout::Bout(std::shared_ptr<const BoutLibrary> library, const BoutSettings& setti
         lock.floor = fighter.footRest;
         of(player).lock.emplace(fighter.rig, library_->rate, lock);
     }
-    separation_ = Separation({library_->fighter(0).rig, library_->fighter(1).rig}, library_->rate);
+    SeparationSettings separation;
+    separation.floor = {library_->fighter(0).footRest, library_->fighter(1).footRest};
+    separation_ = Separation({library_->fighter(0).rig, library_->fighter(1).rig}, library_->rate,
+                             separation);
     start();
 }
 
@@ -192,6 +195,18 @@ Pose Bout::poseOf(int player, const Playing& playing, int at) const {
     return moved(blend(clip.clip.frames[whole], clip.clip.frames[whole + 1], share), placed);
 }
 
+/// Which feet stand in a frame of an action, as recorded.
+Standing Bout::standingAt(int player, const Playing& playing, int at) const {
+    const BoutAction& action = library_->fighter(player).action(playing.action);
+    const FootContacts& contacts = library_->fighter(player).clipOf(action).contacts;
+    const auto source =
+        static_cast<std::size_t>(std::lround(action.begin + playing.time.sourceAt(at)));
+    const auto stands = [&](const std::vector<std::uint8_t>& foot) {
+        return source < foot.size() && foot[source] != 0;
+    };
+    return {stands(contacts.left), stands(contacts.right)};
+}
+
 void Bout::step() {
     const std::array<Playing, 2> before = {of(0).playing, of(1).playing};
     for (const int player : {0, 1}) {
@@ -217,22 +232,16 @@ void Bout::step() {
 void Bout::fill(int player) {
     FighterState& fighter = of(player);
     const Playing& playing = fighter.playing;
-    const BoutAction& action = library_->fighter(player).action(playing.action);
-    const LibraryClip& clip = library_->fighter(player).clipOf(action);
     const int useful = std::min(kLookAhead, playing.total - playing.at + 1);
     while (static_cast<int>(fighter.ahead.size()) < useful) {
         const int at = playing.at + static_cast<int>(fighter.ahead.size());
-        Pose pose = poseOf(player, playing, at);
+        const Pose planned = poseOf(player, playing, at);
+        Pose pose = planned;
         const double seconds = (fighter.sinceJoin + at - playing.at) / library_->rate;
         if (!fighter.join.over(seconds)) fighter.join.apply(pose, seconds);
-        const auto source =
-            static_cast<std::size_t>(std::lround(action.begin + playing.time.sourceAt(at)));
-        const auto stands = [&](const std::vector<std::uint8_t>& foot) {
-            return source < foot.size() && foot[source] != 0;
-        };
-        Standing standing = {stands(clip.contacts.left), stands(clip.contacts.right)};
+        Standing standing = standingAt(player, playing, at);
         if (!fighter.steps.over(seconds))
-            fighter.steps.apply(*library_->fighter(player).rig, pose, standing, seconds);
+            fighter.steps.apply(*library_->fighter(player).rig, pose, planned, standing, seconds);
         fighter.ahead.push_back(std::move(pose));
         fighter.standing.push_back(standing);
     }
@@ -262,7 +271,16 @@ void Bout::show() {
         }
         const std::vector<Pose>& ahead = pushed.empty() ? fighter.ahead : pushed;
         shown.pose = settings_.footLocking ? fighter.lock->show(ahead, fighter.standing) : ahead[0];
-        jointFrames(*library_->fighter(player).rig, shown.pose, shown.joints);
+        const Rig& rig = *library_->fighter(player).rig;
+        jointFrames(rig, shown.pose, shown.joints);
+        fighter.feetBefore = fighter.feet;
+        for (const bool left : {true, false}) {
+            const auto point = footPoint(rig, left);
+            if (point) {
+                fighter.feet[left ? 0 : 1] =
+                    shown.joints.positions[static_cast<std::size_t>(*point)] - push;
+            }
+        }
         shown.node = playing.node;
         shown.action = playing.action;
         shown.actionBegin = frame_ - playing.at;

@@ -100,6 +100,8 @@ private:
         std::vector<Standing> standing;
         Inertialisation join;
         JoinSteps steps;
+        /// Foot points as shown, but for pushes: now and a frame ago.
+        std::array<Eigen::Vector3d, 2> feet, feetBefore;
         int sinceJoin = 0;
         std::optional<FootLock> lock;
         FighterShown shown;
@@ -126,6 +128,8 @@ private:
     void begin(int player, BoutChoice choice);
     std::optional<Coupling> couple(int player, Playing& own);
     Pose poseOf(int player, const Playing& playing, int at) const;
+    Standing standingAt(int player, const Playing& playing, int at) const;
+    std::array<FootAtJoin, 2> feetAtJoin(int player, const Playing& next) const;
     void replan(int player);
     void fill(int player);
     void show();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/feet.h"
 #include "core/synthesis/bout.h"
 #include "core/synthesis/draw.h"
 #include "core/synthesis/moments.h"
@@ -11,7 +12,7 @@ namespace {
 /// How long after its moment an action still counts as something to answer, seconds.
 constexpr double kLatestAnswer = 0.25;
 /// How far a target may bend the way of an action, metres.
-constexpr double kMostSteering = 0.2;
+constexpr double kMostSteering = 0.15;
 /// A target nearer to the other one's pelvis is taken as this far from it, metres.
 constexpr double kLeastDistance = 0.8;
 /// A join takes as long as keeps what it adds below this acceleration, rad/s².
@@ -240,6 +241,33 @@ std::optional<Coupling> Bout::couple(int player, Playing& own) {
     return coupling;
 }
 
+/// The feet as they are shown, and when and where an action that begins sets them down.
+std::array<FootAtJoin, 2> Bout::feetAtJoin(int player, const Playing& next) const {
+    const FighterState& fighter = of(player);
+    const Rig& rig = *library_->fighter(player).rig;
+    std::array<FootAtJoin, 2> feet;
+    JointFrames frames;
+    for (const std::size_t side : {0, 1}) {
+        FootAtJoin& foot = feet[side];
+        const auto point = footPoint(rig, side == 0);
+        if (!point) continue;
+        foot.place = fighter.feet[side];
+        foot.velocity = library_->rate * (fighter.feet[side] - fighter.feetBefore[side]);
+        foot.stands = fighter.standing.front()[side];
+        const int last = std::max(1, static_cast<int>(JoinSteps::lookAhead() * library_->rate));
+        for (int at = 0; at <= last; ++at) {
+            // Beyond its end it is taken to stay as it is.
+            const int frame = std::min(at, next.total);
+            const bool stands = standingAt(player, next, frame)[side];
+            if (stands && foot.landing < 0) foot.landing = foot.lift = at;
+            if (stands && foot.lift == at) foot.lift = at + 1;
+            jointFrames(rig, poseOf(player, next, frame), frames);
+            foot.next.push_back(frames.positions[static_cast<std::size_t>(*point)]);
+        }
+    }
+    return feet;
+}
+
 void Bout::begin(int player, BoutChoice choice) {
     FighterState& fighter = of(player);
     const BoutAction& action = library_->fighter(player).action(choice.action);
@@ -270,14 +298,11 @@ void Bout::begin(int player, BoutChoice choice) {
     join.duration = choice.joinSeconds =
         joinSeconds(fighter.before, now, first, second, library_->rate);
     fighter.join = Inertialisation(fighter.before, now, first, second, 1 / library_->rate, join);
-    const LibraryClip& clip = library_->fighter(player).clipOf(action);
-    const auto stands = [&](const std::vector<std::uint8_t>& foot) {
-        const auto frame = static_cast<std::size_t>(action.begin);
-        return frame < foot.size() && foot[frame] != 0;
-    };
-    fighter.steps =
-        JoinSteps(*library_->fighter(player).rig, now, first, fighter.standing.front(),
-                  {stands(clip.contacts.left), stands(clip.contacts.right)}, join.duration);
+    fighter.steps = JoinSteps(*library_->fighter(player).rig, first, feetAtJoin(player, next),
+                              library_->rate, join.duration);
+    for (const std::size_t side : {0, 1}) {
+        if (fighter.steps.guides(side)) fighter.lock->settle(side == 0);
+    }
     replan(player);
     fighter.sinceJoin = 0;
     fighter.playing = next;

@@ -1,5 +1,8 @@
 #include "core/synthesis/bout_quality.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -20,6 +23,20 @@ const LibraryClip* longestTake(const BoutLibrary& library, std::size_t& take) {
         take = t;
     }
     return longest;
+}
+
+/// Joint accelerations where an action begins, as it was recorded.
+void addRecordedBeginning(const LibraryFighter& fighter, const BoutAction& action,
+                          std::vector<float>& accelerations) {
+    const Clip& clip = fighter.clipOf(action).clip;
+    // As much as is looked at around a join, and a frame more for the changes of velocity.
+    const int around = static_cast<int>(std::lround(kAfterJoin * clip.rate)) + 2;
+    const int first = std::max(0, action.begin - 2);
+    const int last = std::min(clip.frameCount(), action.begin + around);
+    const Clip part{clip.rig, clip.rate, {clip.frames.begin() + first, clip.frames.begin() + last}};
+    const std::array join = {action.begin - first};
+    const std::vector<float> found = measureJoins(part, join).atJoins.acceleration;
+    accelerations.insert(accelerations.end(), found.begin(), found.end());
 }
 
 }  // namespace
@@ -69,6 +86,7 @@ Quality boutQuality(const BoutTape& tape, const JointMotionBar& bar, const Progr
         judged.labels.emplace_back();
     }
     std::map<Shown, double> moments;
+    std::vector<float> recorded;
     std::vector<std::pair<std::shared_ptr<const BoutChoice>, std::array<Shown, 2>>> meetings;
     tape.replay(
         [&](const Bout& bout) {
@@ -80,6 +98,8 @@ Quality boutQuality(const BoutTape& tape, const JointMotionBar& bar, const Progr
             for (const auto& choice : bout.newChoices()) {
                 const auto slot = static_cast<std::size_t>(choice->player);
                 judged.fighters[slot].joins.push_back(choice->frame);
+                const LibraryFighter& fighter = library.fighter(choice->player);
+                addRecordedBeginning(fighter, fighter.action(choice->action), recorded);
                 if (choice->node >= 0)
                     judged.labels[slot].push_back(
                         library.graph->node(choice->player, choice->node).text);
@@ -101,7 +121,11 @@ Quality boutQuality(const BoutTape& tape, const JointMotionBar& bar, const Progr
             judged.hits.push_back({own, other, -choice->coupling->lag});
         }
     }
-    return measureQuality(judged, bar, progress.part(0.5, 1));
+    Quality quality = measureQuality(judged, bar, progress.part(0.5, 1));
+    if (!recorded.empty() && bar.acceleration > 0)
+        quality.recordedAccelerationRatio =
+            percentile(std::move(recorded), 0.99) / bar.acceleration;
+    return quality;
 }
 
 }  // namespace kumite

@@ -27,7 +27,7 @@ struct BoutSettings {
     ChoiceScore score = ChoiceScore::Evidence;
     /// Metres: how far a sample's first pose may be from the one shown, see Joining;
     /// 0: equation 12 alone chooses among a label's samples.
-    double joinSpread = 0.2;
+    double joinSpread = 0.14;
     int avatar = 0;           ///< player who is steered
     bool reactFirst = true;   ///< an avatar under attack may answer before it serves the command
     int attacker = 0;         ///< player who replays

@@ -100,6 +100,19 @@ void BoutTape::replay(const std::function<void(const Bout&)>& show,
     progress.update(1);
 }
 
+std::vector<ShownAction> actionsShown(const BoutTape& tape, int player) {
+    const FighterShown& first = tape.first().shown(player);
+    std::vector<ShownAction> actions = {{0, tape.end(), first.action, first.node, nullptr}};
+    for (const auto& choice : tape.choices()) {
+        if (choice->player != player) continue;
+        actions.back().end = choice->frame;
+        // The very first choice may fall on frame 0, where nothing of the action before was shown.
+        if (choice->frame == 0) actions.clear();
+        actions.push_back({choice->frame, tape.end(), choice->action, choice->node, choice});
+    }
+    return actions;
+}
+
 std::array<Clip, 2> boutClips(const BoutTape& tape, const Progress& progress) {
     std::array<Clip, 2> clips;
     for (const int player : {0, 1}) {

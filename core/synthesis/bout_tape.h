@@ -59,6 +59,17 @@ private:
     std::vector<std::shared_ptr<const BoutChoice>> choices_;
 };
 
+/// An action that a player showed.
+struct ShownAction {
+    int begin = 0;  ///< frames
+    int end = 0;
+    int action = -1;
+    int node = kAnyNode;
+    std::shared_ptr<const BoutChoice> choice;  ///< that began it; null: the start
+};
+/// Those of a player up to the end of a tape, in order; the last one goes on behind it.
+std::vector<ShownAction> actionsShown(const BoutTape& tape, int player);
+
 /// Everything that made the bout what it is, as JSON (schema: core/synthesis/README.md): the same
 /// library, settings and commands give the same bout.
 std::string boutLog(const BoutTape& tape);

@@ -24,7 +24,7 @@ enum class ChoiceScore { Evidence, BestSample };
 /// with deviation `spread`. Nothing: equation 12 alone.
 struct Joining {
     const LocalPose* shown = nullptr;
-    double spread = 0.2;
+    double spread = 0.14;
 };
 
 /// What a mover draws its next action from (paper A, 5.1.1; method A9): both terms of the

@@ -168,7 +168,20 @@ void Separation::move(std::size_t p, Pose& pose, JointFrames& joints,
               EndTurn::KeepsLocal);
         changed = true;
     }
-    if (changed) jointFrames(*body.rig, pose, joints);
+    if (!changed) return;
+    jointFrames(*body.rig, pose, joints);
+    for (const std::size_t side : {0, 1}) {
+        const std::size_t leg = side + 2;
+        const auto point = footPoint(*body.rig, side == 0);
+        if (!point || !body.limbs[leg] || ways[leg].norm() < 1e-4) continue;
+        const double sunk =
+            settings_.floor[p][side] - joints.positions[static_cast<std::size_t>(*point)].y();
+        if (sunk <= 0) continue;
+        const auto end = static_cast<std::size_t>(body.limbs[leg]->end);
+        reach(*body.rig, pose, joints, *body.limbs[leg],
+              joints.positions[end] + Vector3d(0, sunk, 0));
+        jointFrames(*body.rig, pose, joints);
+    }
 }
 
 void Separation::part(std::array<Pose*, 2> poses, std::array<JointFrames*, 2> joints,

@@ -11,6 +11,8 @@ namespace kumite {
 
 /// How bodies are kept out of each other.
 struct SeparationSettings {
+    /// Heights below which no foot point is moved, left and right, of both bodies; metres.
+    std::array<std::array<double, 2>, 2> floor{};
     double allowed = 0.01;       ///< metres that solids may overlap: touching is no collision
     double farthestPush = 0.25;  ///< metres a body is pushed aside at most
     double farthestLimb = 0.25;  ///< metres a hand or foot is moved at most

@@ -1,5 +1,7 @@
 // The figures of synthesised bouts:
-//   kumite-bout-figures quality PROJECT [SEEDS [SECONDS]]   the quality table, all modes
+//   kumite-bout-figures quality [PROJECT [SEEDS [SECONDS]]] the quality table, all modes; without a
+//                                                           project: of a made bout and a recorded
+//                                                           dance with the labels of the rules
 //   kumite-bout-figures speed PROJECT [SECONDS]             time per frame and per choice
 //   kumite-bout-figures growth                              a choice over the number of actions
 //   kumite-bout-figures soak PROJECT [SECONDS]              a long bout: bounds, drift, memory
@@ -11,11 +13,15 @@
 
 #include "core/base/text.h"
 #include "core/project/bout.h"
+#include "core/project/import.h"
 #include "core/project/kept_bout.h"
+#include "core/project/labelling.h"
+#include "core/project/labels.h"
 #include "core/project/project_file.h"
 #include "core/synthesis/bout_quality.h"
 #include "core/synthesis/draw.h"
 #include "tests/support/fixtures.h"
+#include "tests/support/labelled_bout.h"
 
 namespace {
 
@@ -38,7 +44,8 @@ struct Opened {
     Interaction interaction;
     std::shared_ptr<const BoutLibrary> library;
 
-    explicit Opened(const std::string& path) : project(loadProject(path).project) {
+    explicit Opened(const std::string& path) : Opened(loadProject(path).project) {}
+    explicit Opened(Project opened) : project(std::move(opened)) {
         analysis = analyse(project);
         interaction = deriveInteraction(project, analysis);
         const double start = now();
@@ -51,6 +58,31 @@ struct Opened {
             std::cout << finding.text << "\n";
     }
 };
+
+/// Four takes of a couple dance. Nobody labelled them: the rules alone speak, which tell stances
+/// and know no strikes of a dance.
+std::optional<Project> recordedDance() {
+    const auto data = test::dataFolder();
+    if (!data) return std::nullopt;
+    Project project;
+    for (const char* number : {"01", "03", "05", "09"}) {
+        TakeRequest request;
+        request.name = number;
+        request.rate = 60;  // The headers say 120.
+        for (const char* subject : {"60_", "61_"}) {
+            FighterRequest fighter;
+            fighter.path = *data / "cmu_salsa" / (std::string(subject) + number + ".bvh");
+            request.fighters.push_back(fighter);
+        }
+        request.trim = FrameRange{1, -1};  // Frame 0 is a rest pose.
+        project = addTake(project, importTake(request).take)->project;
+    }
+    const Analysis analysis = analyse(project);
+    const AutoLabels labels = labelAutomatically(project, analysis);
+    if (const auto edit = acceptLabels(project, analysis, labels.proposals.fighters))
+        project = edit->project;
+    return project;
+}
 
 // ---- quality -----------------------------------------------------------------------------------
 
@@ -65,13 +97,14 @@ void printRow(const std::string& name, const Quality& q) {
     const auto worst = [](const std::optional<Penetration>& p) {
         return p ? std::optional(p->worst) : std::nullopt;
     };
-    std::cout << fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |", name,
-                             cell(q.footSkate, 100, 2), cell(share(q.floor), 100, 2),
-                             cell(worst(q.floor), 100, 1), cell(share(q.interpenetration), 100, 2),
-                             cell(worst(q.interpenetration), 100, 1),
-                             cell(q.joinAccelerationRatio, 1, 2), cell(q.joinVelocityRatio, 1, 2),
-                             cell(q.facingError, 57.29578, 1), cell(q.hitTiming, 1000, 0),
-                             q.distance ? fixed(q.distance->mean, 2) : "-")
+    std::cout << fmt::format(
+                     "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |", name,
+                     cell(q.footSkate, 100, 2), cell(share(q.floor), 100, 2),
+                     cell(worst(q.floor), 100, 1), cell(share(q.interpenetration), 100, 2),
+                     cell(worst(q.interpenetration), 100, 1), cell(q.joinAccelerationRatio, 1, 2),
+                     cell(q.recordedAccelerationRatio, 1, 2), cell(q.joinVelocityRatio, 1, 2),
+                     cell(q.facingError, 57.29578, 1), cell(q.hitTiming, 1000, 0),
+                     q.distance ? fixed(q.distance->mean, 2) : "-")
               << fmt::format(" {} |\n", q.variety ? fixed(q.variety->share(), 2) : "-");
 }
 
@@ -100,20 +133,77 @@ std::vector<BoutCommand> someKeys(const BoutLibrary& library, double seconds, st
     return commands;
 }
 
-void quality(const std::string& path, int seeds, double seconds) {
-    const Opened opened(path);
-    const CapturedAttack attack = busiestAttack(opened.interaction, 0);
+/// Means, and of what must not happen the worst.
+Quality together(const std::vector<Quality>& all) {
+    Quality sum = all.front();
+    const double share = 1.0 / static_cast<double>(all.size());
+    const auto mean = [&](auto member) {
+        std::optional<double>& value = sum.*member;
+        if (!value) return;
+        value = 0;
+        for (const Quality& each : all)
+            *value += share * (each.*member).value_or(0);
+    };
+    const auto worst = [&](auto member) {
+        std::optional<Penetration>& value = sum.*member;
+        if (!value) return;
+        value = Penetration{};
+        for (const Quality& each : all) {
+            value->share += share * (each.*member)->share;
+            value->worst = std::max(value->worst, (each.*member)->worst);
+        }
+    };
+    for (const auto member :
+         {&Quality::footSkate, &Quality::joinAccelerationRatio, &Quality::recordedAccelerationRatio,
+          &Quality::joinVelocityRatio, &Quality::facingError, &Quality::hitTiming})
+        mean(member);
+    worst(&Quality::floor);
+    worst(&Quality::interpenetration);
+    if (sum.distance) {
+        sum.distance->mean = 0;
+        for (const Quality& each : all)
+            sum.distance->mean += share * each.distance->mean;
+    }
+    if (sum.variety) {
+        for (std::size_t i = 1; i < all.size(); ++i) {
+            sum.variety->distinct += all[i].variety->distinct;
+            sum.variety->total += all[i].variety->total;
+        }
+    }
+    return sum;
+}
+
+/// What player 1 replays: its busiest attack, or where it has none, as in a dance, ten seconds of
+/// what it does.
+CapturedAttack replayed(const Opened& opened) {
+    try {
+        return busiestAttack(opened.interaction, 0);
+    } catch (const Error& error) {
+        std::cout << error.what() << " It replays ten seconds of what it does.\n";
+    }
+    CapturedAttack attack;
+    const auto& actions = opened.interaction.graph->actions[0];
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+        if (actions[i].take == 0 && actions[i].beginSeconds >= 5 && actions[i].endSeconds <= 15)
+            attack.actions.push_back(static_cast<int>(i));
+    }
+    return attack;
+}
+
+void quality(const Opened& opened, int seeds, double seconds) {
+    const CapturedAttack attack = replayed(opened);
     const auto passive =
         boutLibrary(opened.project, opened.analysis,
                     interactionWithout(opened.analysis, opened.interaction, attack));
     const auto steered = withAvatar(opened.library, 0);
     const RecordingQuality recording = recordingQuality(*opened.library);
-    std::cout << "| bout | skate % | floor % | floor cm | bodies % | bodies cm | join acc | join "
-                 "vel | facing deg | hits ms | distance m | variety |\n"
+    std::cout << "| bout | skate % | floor % | floor cm | bodies % | bodies cm | join acc | as "
+                 "recorded | join vel | facing deg | hits ms | distance m | variety |\n"
                  "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | "
-                 "---: |\n";
+                 "---: | ---: |\n";
     printRow("recording", recording.quality);
     for (const BoutMode mode : {BoutMode::Automatic, BoutMode::Avatar, BoutMode::Passive}) {
+        std::vector<Quality> all;
         for (int seed = 1; seed <= seeds; ++seed) {
             BoutSettings settings;
             settings.mode = mode;
@@ -126,7 +216,8 @@ void quality(const std::string& path, int seeds, double seconds) {
                           mode == BoutMode::Avatar ? someKeys(*library, seconds, settings.seed)
                                                    : std::vector<BoutCommand>());
             tape.advance(static_cast<int>(seconds * library->rate));
-            printRow(fmt::format("{} {}", modeName(mode), seed), boutQuality(tape, recording.bar));
+            all.push_back(boutQuality(tape, recording.bar));
+            printRow(fmt::format("{} {}", modeName(mode), seed), all.back());
             if (seed > 1) continue;
             const test::TemporaryFolder folder;
             const KeptBout kept =
@@ -135,6 +226,17 @@ void quality(const std::string& path, int seeds, double seconds) {
                 "<!-- detection alone finds its boundaries: F1 {:.3f} {:.3f} -->\n",
                 kept.foundAgain[0], kept.foundAgain[1]);
         }
+        printRow(fmt::format("**{}, {} seeds**", modeName(mode), seeds), together(all));
+    }
+}
+
+void qualityOfBoth(int seeds, double seconds) {
+    const test::TemporaryFolder folder;
+    std::cout << "A made bout of 5 minutes, seed 3:\n";
+    quality(Opened(test::LabelledBout(folder.path(), 300, 3).project), seeds, seconds);
+    if (auto dance = recordedDance()) {
+        std::cout << "\nA recorded couple dance, labels of the rules:\n";
+        quality(Opened(std::move(*dance)), seeds, seconds);
     }
 }
 
@@ -263,7 +365,14 @@ int main(int argc, char** argv) {
         return argc > index ? parseNumber(argv[index]).value_or(otherwise) : otherwise;
     };
     try {
-        if (what == "quality") quality(path, static_cast<int>(number(3, 5)), number(4, 60));
+        if (what == "quality") {
+            const int seeds = static_cast<int>(number(3, 5));
+            if (path.empty()) {
+                qualityOfBoth(seeds, number(4, 60));
+            } else {
+                quality(Opened(path), seeds, number(4, 60));
+            }
+        }
         if (what == "speed") speed(path, number(3, 60));
         if (what == "growth") growth();
         if (what == "soak") soak(path, number(3, 3600));

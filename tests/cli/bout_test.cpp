@@ -61,6 +61,24 @@ TEST_F(BoutCommandLine, WritesTwoMotionsAndTheLogAndSaysHowGoodItIs) {
     }
 }
 
+TEST_F(BoutCommandLine, ReportsItsQualityBesideTheRecordings) {
+    const Result result = kumite({"bout", project, "--seconds", "20", "--seed", "3", "--out",
+                                  out("reported"), "--report", out("report"), "--json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const auto said = nlohmann::json::parse(result.out);
+    const auto json = nlohmann::json::parse(test::readText(*folder / "report" / "quality.json"));
+    EXPECT_EQ(json["quality"], said["quality"]);
+    EXPECT_EQ(json["recording_quality"], said["recording_quality"]);
+    EXPECT_EQ(json["seed"], 3);
+    EXPECT_GT(json["quality"]["join_acceleration_p99_ratio_as_recorded"], 0);
+    EXPECT_TRUE(json["recording_quality"]["join_acceleration_p99_ratio_as_recorded"].is_null());
+    const std::string page = test::readText(*folder / "report" / "report.md");
+    for (const char* words : {"feet skate", "as recorded", "| bout | recording |", "(strips.svg)"})
+        EXPECT_NE(page.find(words), std::string::npos) << words;
+    const std::string strips = test::readText(*folder / "report" / "strips.svg");
+    EXPECT_NE(strips.find("recorded: take demo"), std::string::npos);
+}
+
 TEST_F(BoutCommandLine, AnAvatarFollowsItsScript) {
     const auto script = *folder / "keys.json";
     test::writeText(script, R"({"kumite_script": 1, "commands": [

@@ -130,56 +130,122 @@ Eigen::Vector3d footOf(const Rig& rig, const Pose& pose, bool left) {
     return joints.positions[static_cast<std::size_t>(*footPoint(rig, left))];
 }
 
+constexpr double kRate = 60;
+
+/// A foot at a join to a pose in which it stands from the frame `landing` on; before, it is in the
+/// air.
+FootAtJoin footAt(const Rig& rig, const Pose& shown, const Pose& next, bool left, bool stands,
+                  int landing) {
+    FootAtJoin foot;
+    foot.place = footOf(rig, shown, left);
+    foot.stands = stands;
+    foot.next.assign(static_cast<std::size_t>(JoinSteps::lookAhead() * kRate),
+                     footOf(rig, next, left));
+    foot.landing = landing;
+    foot.lift = static_cast<int>(foot.next.size());
+    return foot;
+}
+
+std::array<FootAtJoin, 2> standingFeet(const Rig& rig, const Pose& shown, const Pose& next) {
+    return {footAt(rig, shown, next, true, true, 0), footAt(rig, shown, next, false, true, 0)};
+}
+
+/// Crouching, so that a leg can lift and reach.
+Pose crouching(const Rig& rig) {
+    Pose pose = standing(rig, 0, 0);
+    for (const auto& [role, angle] : {std::pair{Role::LeftHip, -0.6},
+                                      {Role::RightHip, -0.6},
+                                      {Role::LeftKnee, 1.0},
+                                      {Role::RightKnee, 1.0}}) {
+        pose.turns[static_cast<std::size_t>(*rig.roles[role])] =
+            Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
+    }
+    return pose;
+}
+
 TEST(JoinSteps, AFootThatStandsInBothIsHeld) {
     const auto rig = humanRig();
     const Pose shown = standing(*rig, 0, 0);
-    const JoinSteps steps(*rig, shown, standing(*rig, 0.1, 0), {true, true}, {true, true}, 0.2);
+    const Pose next = standing(*rig, 0.1, 0);
+    const JoinSteps steps(*rig, next, standingFeet(*rig, shown, next), kRate, 0.2);
+    EXPECT_FALSE(steps.guides(0) || steps.guides(1));
     Pose pose = shown;
     Standing stands = {true, true};
-    steps.apply(*rig, pose, stands, 0.1);
+    steps.apply(*rig, pose, next, stands, 0.1);
     EXPECT_EQ(stands, (Standing{true, true}));
     EXPECT_NEAR((footOf(*rig, pose, true) - footOf(*rig, shown, true)).norm(), 0, 1e-12);
 }
 
 TEST(JoinSteps, AFootThatHasToGoIsLiftedAndStandsWhenItIsThere) {
     const auto rig = humanRig();
-    // Crouching, so that a leg can lift.
-    Pose shown = standing(*rig, 0, 0);
-    const auto bend = [&](Role role, double angle) {
-        shown.turns[static_cast<std::size_t>(*rig->roles[role])] =
-            Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
-    };
-    bend(Role::LeftHip, -0.6);
-    bend(Role::LeftKnee, 1.0);
+    const Pose shown = crouching(*rig);
     Pose next = shown;
-    next.root.x() += 0.15;
-    const JoinSteps steps(*rig, shown, next, {false, true}, {true, true}, 0.2);
-    double highest = 0;
-    for (double t = 0; t < 0.2; t += 0.02) {
-        Pose pose = shown;
+    next.root.x() += 0.25;
+    const auto feet = standingFeet(*rig, shown, next);
+    const JoinSteps steps(*rig, next, feet, kRate, 0.2);
+    ASSERT_TRUE(steps.guides(0));
+    double highest = 0, end = 0;
+    for (int frame = 1; !steps.over(frame / kRate); ++frame) {
+        // The body is there at once: what is looked at are the feet.
+        Pose pose = next;
         Standing stands = {true, true};
-        steps.apply(*rig, pose, stands, t);
-        if (t > 0) {
-            EXPECT_FALSE(stands[0]) << t;
+        steps.apply(*rig, pose, next, stands, frame / kRate);
+        const Eigen::Vector3d foot = footOf(*rig, pose, true) - feet[0].place;
+        highest = std::max(highest, foot.y());
+        if (!stands[0]) end = frame / kRate;
+        if (stands[0] && end > 0) {
+            EXPECT_NEAR(foot.x(), 0.25, 1e-3) << "it has arrived";
+            EXPECT_NEAR(foot.y(), 0, 1e-3);
         }
-        EXPECT_TRUE(stands[1]) << t;
-        highest = std::max(highest, footOf(*rig, pose, true).y() - footOf(*rig, shown, true).y());
+        if (foot.y() < 0.02) {
+            const double left = std::min(foot.x(), 0.25 - foot.x());
+            EXPECT_LT(left, 0.005) << "over only while it is up, frame " << frame;
+        }
     }
     EXPECT_NEAR(highest, 0.09, 0.01);
-    Pose pose = shown;
-    Standing stands = {true, true};
-    steps.apply(*rig, pose, stands, 0.21);
-    EXPECT_TRUE(stands[0]) << "it has arrived";
+    EXPECT_GT(end, 0.2);
 }
 
-TEST(JoinSteps, OfTwoFeetFarFromTheirPlacesOneStays) {
+TEST(JoinSteps, OfTwoFeetThatHaveToGoOneWaits) {
     const auto rig = humanRig();
-    const Pose shown = standing(*rig, 0, 0);
-    const JoinSteps steps(*rig, shown, standing(*rig, 0.4, 0), {true, true}, {true, true}, 0.2);
+    const Pose shown = crouching(*rig);
+    Pose next = shown;
+    next.root.x() += 0.4;
+    const JoinSteps steps(*rig, next, standingFeet(*rig, shown, next), kRate, 0.2);
     Pose pose = shown;
     Standing stands = {true, true};
-    steps.apply(*rig, pose, stands, 0.1);
+    steps.apply(*rig, pose, next, stands, 0.1);
     EXPECT_NE(stands[0], stands[1]);
+}
+
+TEST(JoinSteps, AFlyingFootComesDownWhereTheNextMotionStands) {
+    const auto rig = humanRig();
+    const Pose next = crouching(*rig);
+    auto feet = standingFeet(*rig, next, next);
+    feet[0].stands = false;
+    feet[0].place += Eigen::Vector3d(0.1, 0.1, 0);
+    feet[0].velocity = Eigen::Vector3d(1.5, 0, 0);
+    const JoinSteps steps(*rig, next, feet, kRate, 0.2);
+    ASSERT_TRUE(steps.guides(0));
+    const Eigen::Vector3d there = feet[0].next.front();
+    Eigen::Vector3d before = feet[0].place;
+    for (int frame = 1; !steps.over(frame / kRate); ++frame) {
+        Pose pose = next;
+        Standing stands = {true, true};
+        steps.apply(*rig, pose, next, stands, frame / kRate);
+        const Eigen::Vector3d foot = footOf(*rig, pose, true);
+        const double speed = kRate * std::hypot(foot.x() - before.x(), foot.z() - before.z());
+        if (frame == 1) {
+            EXPECT_NEAR(speed, 1.5, 0.3) << "it flies on";
+        }
+        if (foot.y() - there.y() < 0.02) {
+            EXPECT_LT(speed, 0.3) << "frame " << frame;
+        }
+        if (stands[0]) {
+            EXPECT_NEAR((foot - there).norm(), 0, 1e-3);
+        }
+        before = foot;
+    }
 }
 
 TEST(JoinSteps, AKneeDoesNotFoldThroughItself) {
@@ -190,13 +256,13 @@ TEST(JoinSteps, AKneeDoesNotFoldThroughItself) {
         const auto knee = static_cast<std::size_t>(*rig->roles[Role::RightKnee]);
         next.turns[knee] = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitX());
         next.turns[knee].coeffs() *= side;
-        const JoinSteps steps(*rig, next, next, {true, true}, {true, true}, 0.2);
+        const JoinSteps steps(*rig, next, standingFeet(*rig, next, next), kRate, 0.2);
         for (const double angle : {0.2, 2.0, 2.6, 3.0, 3.4}) {
             Pose pose = shown;
             pose.turns[knee] = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX());
             pose.turns[knee].coeffs() *= side;
             Standing stands = {true, true};
-            steps.apply(*rig, pose, stands, 0.1);
+            steps.apply(*rig, pose, next, stands, 0.1);
             const double shownAngle =
                 2 * std::atan2(side * pose.turns[knee].x(), side * pose.turns[knee].w());
             EXPECT_NEAR(shownAngle, std::min(angle, 2.65), 1e-9);

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QListView>
 #include <QSignalSpy>
+#include <QStandardPaths>
 #include <QTableWidget>
 #include <QTest>
 
@@ -252,6 +253,35 @@ TEST_F(BoutTest, IsWrittenInManyWays) {
     EXPECT_EQ(writeVideo(frames, file("film.mp4")), QString());
     EXPECT_GT(QFileInfo(file("film.mp4")).size(), 3000);
     qputenv("PATH", path);
+    if (QStandardPaths::findExecutable(QStringLiteral("ffmpeg")).isEmpty()) return;
+    ASSERT_EQ(writeVideo(frames, file("real.mp4")), QString());
+    QFile video(file("real.mp4"));
+    ASSERT_TRUE(video.open(QIODevice::ReadOnly));
+    EXPECT_EQ(video.read(12).mid(4, 4), "ftyp");
+}
+
+TEST_F(BoutTest, AnotherSeedNeedsNothingNewAndASavedProjectIsTheSame) {
+    openTheBout();
+    show(1);
+    const BoutLibrary* library = &bout().library();
+    BoutSettings settings = bout().wanted();
+    settings.seed += 5;
+    settings.temperature = 0.5;
+    bout().setWanted(settings);
+    settle();
+    ASSERT_NE(bout().tape(), nullptr);
+    EXPECT_EQ(&bout().library(), library);
+    EXPECT_EQ(bout().tape()->now().settings().seed, settings.seed);
+    EXPECT_EQ(bout().tape()->end(), 0);
+
+    session().document().markSaved(file("saved.kumite"));
+    settle();
+    EXPECT_FALSE(bout().isOutdated());
+    settings.mode = BoutMode::Avatar;
+    bout().setWanted(settings);
+    settle();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return bout().steers(); }, 20000));
+    EXPECT_NE(&bout().library(), library) << "an avatar learns more";
 }
 
 }  // namespace

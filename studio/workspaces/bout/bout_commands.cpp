@@ -57,7 +57,6 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
                                     text("Recordings, NAME-1 and NAME-2 (*.bvh)"));
     if (path.isEmpty()) return;
     const QFileInfo info(path);
-    const int revision = bout.revision();
     bout.writing().start(
         text("Keeping the bout"),
         [project = document.project(), analysis = document.analysis(), tape,
@@ -65,9 +64,9 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
          folder = info.path().toStdString()](const Progress& progress) {
             return keepBout(project, analysis, tape, name, folder, progress);
         },
-        [&bout, revision](KeptBout kept) {
+        [&bout, before = document.project()](KeptBout kept) {
             Document& now = bout.session().document();
-            if (bout.revision() != revision) {
+            if (!(now.project() == before)) {
                 Q_EMIT bout.failed(
                     text("The project changed while the bout was written. Its files "
                          "are there; open them as a take, or keep it again under "

@@ -20,6 +20,7 @@ constexpr double kMostAtOnce = 0.25;  // seconds of bout: what a hiccup may cost
 BoutSource prepared(const Project& project, const Analysis& analysis, BoutSettings settings,
                     const BoutSource* last, const Progress& progress) {
     BoutSource source;
+    source.project = project;
     source.interaction = deriveInteraction(
         project, analysis, {}, last ? last->interaction : Interaction{}, progress.part(0, 0.4));
     if (const auto why = whyNoModel(project, source.interaction)) {
@@ -48,6 +49,15 @@ BoutSource prepared(const Project& project, const Analysis& analysis, BoutSettin
     return source;
 }
 
+/// Whether a bout of other settings can be made of what is prepared: only what learns or leaves
+/// something out needs more.
+bool serves(const BoutSource& source, const BoutSettings& wanted) {
+    const BoutSettings& has = source.settings;
+    return source.library && has.mode == wanted.mode &&
+           (wanted.mode != BoutMode::Avatar || has.avatar == wanted.avatar) &&
+           (wanted.mode != BoutMode::Passive || has.attacker == wanted.attacker);
+}
+
 }  // namespace
 
 BoutSession::BoutSession(Session& session, QObject* parent) : QObject(parent), session_(session) {
@@ -58,8 +68,7 @@ BoutSession::BoutSession(Session& session, QObject* parent) : QObject(parent), s
     connect(&due_, &QTimer::timeout, this, &BoutSession::prepare);
     connect(&timer_, &QTimer::timeout, this, &BoutSession::advance);
     const auto changed = [this] {
-        outdated_ = true;
-        ++revision_;
+        outdated_ = !isOf(session_.document().project());
         if (active_ && (anew_ || !tape_)) due_.start();
         Q_EMIT stateChanged();
     };
@@ -130,10 +139,24 @@ void BoutSession::begin() {
     if (active_) due_.start();
 }
 
+/// Whether what is prepared was learnt from that project.
+bool BoutSession::isOf(const Project& project) const {
+    return source_ && source_->project == project;
+}
+
 void BoutSession::prepare() {
     const Document& document = session_.document();
     if (!active_ || !document.isOpen() || !document.isCurrent()) return;
-    outdated_ = anew_ = false;
+    anew_ = false;
+    if (isOf(document.project()) && serves(*source_, wanted_)) {
+        jobs_.cancel();
+        BoutSource source = *source_;
+        source.settings = wanted_;
+        source.settings.attack = source_->settings.attack;
+        take(std::move(source));
+        return;
+    }
+    outdated_ = false;
     jobs_.start(
         tr("Preparing a bout"),
         [project = document.project(), analysis = document.analysis(), settings = wanted_,
@@ -147,6 +170,7 @@ void BoutSession::prepare() {
 void BoutSession::take(BoutSource source) {
     setPlaying(false);
     source_ = std::make_shared<const BoutSource>(std::move(source));
+    outdated_ = !isOf(session_.document().project());
     tape_.reset();
     pointed_.reset();
     judgement_.reset();

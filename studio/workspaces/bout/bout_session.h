@@ -19,6 +19,7 @@ namespace kumite::studio {
 
 /// What bouts are made from, and the document that it was learnt from.
 struct BoutSource {
+    Project project;                             ///< of the document then
     Interaction interaction;                     ///< of the whole document
     std::shared_ptr<const BoutLibrary> library;  ///< for the settings; null where there is none
     std::array<Fighter, 2> like;                 ///< whose skeletons both have
@@ -58,9 +59,6 @@ public:
     QString whyNothing() const;
     /// Labels or boundaries changed since the bout was begun: a new one would know them.
     bool isOutdated() const { return outdated_; }
-
-    /// Counts what happens to the document: the same number means the same project.
-    int revision() const { return revision_; }
 
     /// A fighter with the skeleton of a player; only while there is a bout.
     const Fighter& like(int player) const { return source_->like[std::size_t(player)]; }
@@ -119,6 +117,7 @@ Q_SIGNALS:
     void failed(const QString& sentence);
 
 private:
+    bool isOf(const Project& project) const;
     void prepare();
     void take(BoutSource source);
     void advance();
@@ -148,7 +147,6 @@ private:
     std::size_t choices_ = 0;                 ///< how many they know
     std::optional<BoutJudgement> judgement_;
     std::shared_ptr<const RecordingQuality> recording_;  ///< of the library
-    int revision_ = 0;
     bool active_ = false;
     bool outdated_ = true;
 };

@@ -5,7 +5,6 @@
 #include <QWheelEvent>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "studio/app/theme.h"
@@ -66,23 +65,15 @@ void BoutStrip::gather() {
     blocks_.clear();
     const BoutTape* tape = bout_.tape();
     if (tape == nullptr) return;
-    std::array<Block, 2> open;
-    for (int player = 0; player < 2; ++player)
-        open[static_cast<std::size_t>(player)] = {
-            player, 0, 0, tape->first().shown(player).node, nullptr, false};
-    for (const auto& choice : tape->choices()) {
-        Block& block = open[static_cast<std::size_t>(choice->player)];
-        block.end = choice->frame;
-        if (block.end > block.begin) blocks_.push_back(block);
-        block = {choice->player, choice->frame, 0, choice->node, choice, false};
-    }
     for (int player = 0; player < 2; ++player) {
-        Block& block = open[static_cast<std::size_t>(player)];
+        for (const ShownAction& action : actionsShown(*tape, player))
+            blocks_.push_back(
+                {player, action.begin, action.end, action.node, action.choice, false});
+        Block& last = blocks_.back();
         const FighterShown& shown = tape->now().shown(player);
-        const bool isShown = tape->frame() >= block.begin;
-        block.end = std::max({block.begin + 1, tape->end(), isShown ? shown.actionEnd : 0});
-        block.planned = true;
-        blocks_.push_back(block);
+        const bool isShown = tape->frame() >= last.begin;
+        last.end = std::max({last.begin + 1, tape->end(), isShown ? shown.actionEnd : 0});
+        last.planned = true;
     }
 }
 
