@@ -104,8 +104,8 @@ void MainWindow::addGraphWorkspace() {
     graphCentre_->addStep(tr("Label actions"), tr("Go to the Label workspace"),
                           [this] { workspaces_->show(QStringLiteral("label")); });
     graphCentre_->addStep(tr("Take over labels…"),
-                          tr("From a table of labels, or a made bout's truth"),
-                          [this] { exchange_->askForImport(); });
+                          tr("From a table of labels; of a made bout at once its truth"),
+                          [this] { exchange_->takeOver(); });
     const auto follow = [this, strip] {
         graph_->setActive(workspaces_->current() == QLatin1String("graph"));
         strip->setVisible(graph_->isActive() && graph_->hasGraph());
@@ -129,8 +129,9 @@ void MainWindow::addBoutWorkspace() {
                       }});
     page->addStep(tr("Label actions"), tr("Go to the Label workspace"),
                   [this] { workspaces_->show(QStringLiteral("label")); });
-    page->addStep(tr("Take over labels…"), tr("From a table of labels, or a made bout's truth"),
-                  [this] { exchange_->askForImport(); });
+    page->addStep(tr("Take over labels…"),
+                  tr("From a table of labels; of a made bout at once its truth"),
+                  [this] { exchange_->takeOver(); });
     auto* below = new QWidget(rows_);  // in the timeline's place
     auto* box = new QVBoxLayout(below);
     box->setContentsMargins(0, 0, 0, 0);

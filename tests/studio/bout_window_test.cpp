@@ -1,5 +1,6 @@
 // The Bout workspace in the real window: a bout that plays, goes back, is led and written.
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QFile>
 #include <QFileInfo>
@@ -9,12 +10,15 @@
 #include <QStandardPaths>
 #include <QTableWidget>
 #include <QTest>
+#include <QToolButton>
 
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/project/demo_bout.h"
 #include "core/project/labels.h"
 #include "studio/app/commands.h"
+#include "studio/app/file_actions.h"
 #include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
@@ -79,6 +83,31 @@ TEST_F(BoutTest, WithoutLabelsItSaysWhatAppearsHere) {
     labelAll();
     EXPECT_NE(bout().tape(), nullptr) << "labels bring the bout";
     EXPECT_TRUE(panel().isVisible());
+}
+
+TEST_F(BoutTest, OfAMadeBoutPlaysAfterThreeClicks) {
+    const DemoFiles demo =
+        writeDemoBout({30, 60, 3}, std::filesystem::path(file("demo").toStdString()));
+    window_->files().open({QString::fromStdString(demo.project().string())});
+    settle();
+    const auto click = [&](const QString& text) {
+        for (auto* button : window_->findChildren<QAbstractButton*>()) {
+            if (button->text() != text || !button->isVisible()) continue;
+            QTest::mouseClick(button, Qt::LeftButton);
+            settle();
+            return true;
+        }
+        return false;
+    };
+    EXPECT_TRUE(click("Bout"));
+    EXPECT_TRUE(click("Take over labels…"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bout().tape() != nullptr; }, 10000))
+        << bout().whyNothing().toStdString();
+    for (auto* button : window_->findChildren<QToolButton*>()) {
+        if (button->defaultAction() == window_->commands().action("bout.play"))
+            QTest::mouseClick(button, Qt::LeftButton);
+    }
+    EXPECT_TRUE(bout().isPlaying());
 }
 
 TEST_F(BoutTest, PlaysInTheStageAndLeavesItAgain) {

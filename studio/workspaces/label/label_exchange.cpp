@@ -6,6 +6,8 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <filesystem>
+
 #include "core/base/error.h"
 #include "core/base/files.h"
 #include "core/project/labels.h"
@@ -53,6 +55,19 @@ struct ReadLabels {
 LabelExchange::LabelExchange(Session& session, MessageStrip& messages, QWidget* window)
     : QObject(window), session_(session), messages_(messages), window_(window) {
     connect(&jobs_, &JobRunner::failed, &messages_, &MessageStrip::showError);
+}
+
+void LabelExchange::takeOver() {
+    for (const Take& take : session_.document().project().takes) {
+        for (const Fighter& fighter : take.fighters) {
+            const auto truth = fighter.recording.path.parent_path() / "truth.json";
+            std::error_code unreadable;
+            if (!std::filesystem::exists(truth, unreadable)) continue;
+            importFrom(QString::fromStdString(truth.string()));
+            return;
+        }
+    }
+    askForImport();
 }
 
 void LabelExchange::askForImport() {

@@ -23,6 +23,8 @@ public:
     LabelExchange(Session& session, MessageStrip& messages, QWidget* window);
 
     void askForImport();
+    /// Of a made bout its truth, which lies beside its recordings; else asks for a file.
+    void takeOver();
     void askForExport();
     void askForOther();
     void askForVocabulary();
