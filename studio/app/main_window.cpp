@@ -37,6 +37,7 @@
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/bout/bout_session.h"
 #include "studio/workspaces/graph/graph_session.h"
+#include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/sequence/sequence_session.h"
 
@@ -220,7 +221,8 @@ void MainWindow::listen() {
 bool MainWindow::isBusy() const {
     return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
            (labels_->isActive() && labels_->isLearning()) || graph_->isLearning() ||
-           bout_->isPreparing() || sequence_->isPreparing() || sequence_->making().isRunning();
+           bout_->isPreparing() || sequence_->isPreparing() || sequence_->making().isRunning() ||
+           keys_->isPreparing() || keys_->making().isRunning();
 }
 
 void MainWindow::shareSpace() {
@@ -230,7 +232,7 @@ void MainWindow::shareSpace() {
     const int wished = std::min(timelineBox_->sizeHint().height(), 2 * height / 5);
     const int timeline = std::max(std::clamp(height / 4 - 12, 170, 300), wished);
     // The timeline, and what takes its place in the workspaces of made motions.
-    rows_->setSizes({height - timeline - 1, timeline, timeline, timeline});
+    rows_->setSizes({height - timeline - 1, timeline, timeline, timeline, timeline});
     const int left = width() < 1600 ? 136 : 176;
     const int right = width() < 1600 ? 240 : 272;
     const int middle = width() - left - right - 2;
@@ -262,6 +264,7 @@ void MainWindow::refreshIcons() {
     if (session_.transport().isPlaying()) showPause("transport.play");
     if (bout_ != nullptr && bout_->isPlaying()) showPause("bout.play");
     if (sequence_ != nullptr && sequence_->isPlaying()) showPause("sequence.play");
+    if (keys_ != nullptr && keys_->isPlaying()) showPause("keys.play");
 }
 
 void MainWindow::showKeysHint() {

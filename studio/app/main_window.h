@@ -18,6 +18,7 @@ class QToolButton;
 namespace kumite::studio {
 
 class BoutSession;
+class KeySession;
 class SequenceSession;
 class CommandPalette;
 class CommandTable;
@@ -65,6 +66,7 @@ public:
     FindingsLog& findings() { return findings_; }
     BoutSession& bout() { return *bout_; }
     SequenceSession& sequence() { return *sequence_; }
+    KeySession& keys() { return *keys_; }
     GraphSession& graph() { return *graph_; }
     GraphCentre& graphCentre() { return *graphCentre_; }
     LabelSession& labels() { return *labels_; }
@@ -109,6 +111,7 @@ private:
     void addGraphWorkspace();
     void addBoutWorkspace();
     void addSequenceWorkspace();
+    void addKeyframeWorkspace();
     void addPlaybackCommands();
     void addTimelineCommands();
     void addViewCommands();
@@ -162,6 +165,7 @@ private:
     LabelLanes* labelLanes_ = nullptr;
     BoutSession* bout_ = nullptr;
     SequenceSession* sequence_ = nullptr;
+    KeySession* keys_ = nullptr;
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;

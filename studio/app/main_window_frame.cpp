@@ -37,6 +37,12 @@
 #include "studio/workspaces/graph/surprise_strip.h"
 #include "studio/workspaces/graph/trace_box.h"
 #include "studio/workspaces/graph/what_if_box.h"
+#include "studio/workspaces/keyframe/key_bar.h"
+#include "studio/workspaces/keyframe/key_commands.h"
+#include "studio/workspaces/keyframe/key_panel.h"
+#include "studio/workspaces/keyframe/key_session.h"
+#include "studio/workspaces/keyframe/key_stage.h"
+#include "studio/workspaces/keyframe/key_strip.h"
 #include "studio/workspaces/label/label_exchange.h"
 #include "studio/workspaces/label/label_lanes.h"
 #include "studio/workspaces/label/label_panel.h"
@@ -81,6 +87,7 @@ void MainWindow::addWorkspaces() {
     addGraphWorkspace();
     addBoutWorkspace();
     addSequenceWorkspace();
+    addKeyframeWorkspace();
     workspaces_->addSwitchCommands(tr("&View"));
 }
 
@@ -206,6 +213,49 @@ void MainWindow::addSequenceWorkspace() {
     connect(sequence_, &SequenceSession::mapToggled, this,
             [this] { centres_->setVisible(sequence_->showsMap()); });
     connect(workspaces_, &Workspaces::changed, sequence_, follow);
+    follow();
+}
+
+void MainWindow::addKeyframeWorkspace() {
+    keys_ = new KeySession(session_, this);
+    auto* jobs = findChild<JobBar*>();
+    for (JobRunner* runner : {&keys_->jobs(), &keys_->making(), &keys_->writing()})
+        jobs->watch(*runner);
+    connect(keys_, &KeySession::failed, strip_, &MessageStrip::showError);
+    auto* panel = new KeyPanel(*keys_, rightPanel_);
+    workspaces_->add({"keyframe", tr("Keyframe"), "keyframe",
+                      tr("A few key poses become a motion made of the recorded ones."), panel,
+                      [this, panel] {
+                          addKeyCommands(*commands_, *keys_, *stage_);
+                          panel->addCommands(*commands_);
+                      }});
+    panel->addStep(tr("Add clips…"), tr("Of motion files or other projects"),
+                   [this] { commands_->run(QStringLiteral("keys.clips")); });
+    auto* below = new QWidget(rows_);  // in the timeline's place
+    auto* box = new QVBoxLayout(below);
+    box->setContentsMargins(0, 0, 0, 0);
+    box->setSpacing(0);
+    box->addWidget(new KeyBar(*keys_, *commands_, below));
+    box->addWidget(new KeyStrip(*keys_, below), 1);
+    new KeyStage(*keys_, *stage_, this);
+    const auto follow = [this, below] {
+        const bool shown = workspaces_->current() == QLatin1String("keyframe");
+        below->setVisible(shown);
+        if (shown) timelineBox_->setVisible(false);
+        keys_->setActive(shown);
+        if (shown) stage_->setFocus();
+    };
+    connect(keys_, &KeySession::stateChanged, this, [this, playing = false]() mutable {
+        if (playing != keys_->isPlaying()) {
+            playing = keys_->isPlaying();
+            refreshIcons();
+        }
+        if (keys_->isActive()) showKeysHint();
+    });
+    connect(keys_, &KeySession::chosen, this, [this] {
+        if (keys_->isActive()) showKeysHint();
+    });
+    connect(workspaces_, &Workspaces::changed, keys_, follow);
     follow();
 }
 
@@ -350,6 +400,16 @@ QStringList MainWindow::keysHint() const {
         {{"sequence.draw"}, tr("draw its transition anew")},
         {{"sequence.map"}, tr("map of poses")},
         {{"sequence.live"}, tr("live")},
+        {{"keys.play"}, keys_->isPlaying() ? tr("pause") : tr("play")},
+        {{"keys.add"}, tr("add a key here")},
+        {{"keys.previous", "keys.next"}, tr("key")},
+        {{"keys.take"}, tr("take the recording's pose"), keys_->isEditable()},
+        {{"keys.nextHandle"}, tr("handle"), keys_->isEditable()},
+        {{"keys.pin"}, tr("pin it"), keys_->isEditable()},
+        {{"keys.mirror"}, tr("mirror"), keys_->isEditable()},
+        {{"keys.motion"},
+         keys_->showsMotion() ? tr("keys") : tr("motion"),
+         keys_->motion() != nullptr},
         {{"bout.keep"}, tr("keep as a take")},
         {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
         {{"graph.play"}, tr("play what is behind"), !measuring},

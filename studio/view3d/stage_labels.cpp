@@ -87,6 +87,8 @@ QRegion StageLabels::extent() const {
     };
     for (const auto& centre : marks_.centres)
         add(around(centre.at, kCentreRadius));
+    for (const auto& handle : marks_.handles)
+        add(around(handle.at, kPointRadius + 3));
     for (const auto& point : marks_.points) {
         add(around(point.at, kPointRadius));
         if (!point.text.isEmpty())
@@ -117,6 +119,19 @@ void StageLabels::paintEvent(QPaintEvent*) {
         drawPoint(painter, line.from, c);
         drawPoint(painter, line.to, c);
         writeBox(painter, boxOf(fontMetrics(), line.text, besideLine(line), rect()), line.text, c);
+    }
+    for (const auto& handle : marks_.handles) {
+        // A square stays where it is.
+        const double radius = handle.chosen ? 7 : 5;
+        const QRectF box(handle.at - QPointF(radius, radius), QSizeF(2 * radius, 2 * radius));
+        painter.setPen(QPen(c.dark ? QColor("#ffffff") : QColor("#1e1f22"), 1.5));
+        painter.setBrush(handle.chosen ? c.accent : withAlpha(c.ground, 0.7));
+        if (handle.pinned) {
+            painter.drawRect(box.adjusted(1, 1, -1, -1));
+        } else {
+            painter.drawEllipse(box);
+        }
+        painter.setBrush(Qt::NoBrush);
     }
     for (const auto& point : marks_.points) {
         drawPoint(painter, point.at, c);

@@ -28,7 +28,14 @@ struct StageMarks {
         QString text;
         bool operator==(const Distance&) const = default;
     };
+    struct Handle {
+        QPointF at;
+        bool chosen = false;
+        bool pinned = false;
+        bool operator==(const Handle&) const = default;
+    };
     std::vector<CentreOfMass> centres;
+    std::vector<Handle> handles;
     std::vector<Point> points;
     std::optional<Distance> distance;
 

@@ -31,6 +31,7 @@ struct StageView::Scene {
     std::array<std::vector<Bone>, 2> bones;
     std::array<FigurePose, 2> poses;  ///< as drawn; empty where there is no fighter
     Measuring measuring;
+    StageHandles handles;
 };
 
 }  // namespace kumite::studio

@@ -80,6 +80,7 @@ void StageView::bodiesChanged() {
 void StageView::beginLive(const QObject* owner, std::array<std::vector<Bone>, 2> bones) {
     setMeasuring(false);
     live_ = owner;
+    scene_->handles = {};
     followed_.reset();
     scene_->bones = std::move(bones);
     scene_->stage.clearGhosts();
@@ -100,6 +101,7 @@ void StageView::showLive(std::array<FigurePose, 2> poses) {
 void StageView::endLive(const QObject* owner) {
     if (live_ != owner) return;
     live_ = nullptr;
+    scene_->handles = {};
     followed_.reset();
     bodiesChanged();
     frameAll();

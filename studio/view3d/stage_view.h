@@ -16,6 +16,7 @@
 #include "studio/view3d/measuring.h"
 #include "studio/view3d/overlays.h"
 #include "studio/view3d/pose.h"
+#include "studio/view3d/stage_handles.h"
 
 namespace kumite::studio {
 
@@ -91,6 +92,11 @@ public:
     /// A mark on the floor, x and z in metres; none: nothing. `faint`: not yet chosen.
     void setFloorMark(const std::optional<Eigen::Vector2d>& place, bool faint);
 
+    /// Points of the live figures that can be dragged; none: an empty list.
+    void setHandles(std::vector<StageHandle> handles);
+    /// Where a handle is drawn, in the view's pixels.
+    std::optional<QPointF> handlePosition(int handle) const;
+
     /// What the view shows, in device pixels, without its buttons.
     QImage picture();
 
@@ -106,6 +112,10 @@ Q_SIGNALS:
     /// x and z, metres; nothing: beside the floor, or the pointer left.
     void floorHovered(const std::optional<Eigen::Vector2d>& place);
     void floorClicked(const Eigen::Vector2d& place);
+    /// A press on a handle, then where it is dragged to (metres), then the release.
+    void handlePressed(int handle, Qt::KeyboardModifiers modifiers);
+    void handleDragged(int handle, const Eigen::Vector3d& place);
+    void handleReleased(int handle);
     /// On a fighter, which is the active one now, or on nothing, at a point of the screen.
     void menuWanted(std::optional<int> player, const QPoint& at);
 
@@ -136,6 +146,9 @@ private:
     std::optional<int> fighterAt(const QPointF& position) const;
     std::optional<Eigen::Vector2d> floorAt(const QPointF& position) const;
     std::optional<Eigen::Vector3d> middle() const;
+    std::optional<int> handleAt(const QPointF& position) const;
+    /// A point of the picture in the plane through `through` that faces the camera.
+    Eigen::Vector3d facingPoint(const QPointF& position, const Eigen::Vector3d& through) const;
     void hoverAt(const QPointF& position);
     std::optional<JointRef> jointUnder(const QPointF& position) const;
     QString jointText(const JointRef& joint, bool withSpeed) const;

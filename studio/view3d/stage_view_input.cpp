@@ -4,6 +4,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include <cmath>
+
 #include "studio/app/session.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_scene.h"
@@ -27,6 +29,11 @@ void StageView::showLabels() {
                           tr("%1 m").arg(QString::number(measuredDistance().value_or(0), 'f', 2))};
     } else if (from) {
         marks.points.push_back({*from, {}});
+    }
+    for (std::size_t i = 0; i < scene_->handles.all.size(); ++i) {
+        const auto at = handlePosition(static_cast<int>(i));
+        const StageHandle& handle = scene_->handles.all[i];
+        if (at) marks.handles.push_back({*at, handle.chosen, handle.pinned});
     }
     if (measuring.hovered) {
         const auto at = jointPosition(*measuring.hovered);
@@ -60,7 +67,54 @@ void StageView::hoverAt(const QPointF& position) {
     showLabels();
 }
 
+void StageView::setHandles(std::vector<StageHandle> handles) {
+    scene_->handles.all = std::move(handles);
+    if (scene_->handles.dragged &&
+        *scene_->handles.dragged >= static_cast<int>(scene_->handles.all.size()))
+        scene_->handles.dragged.reset();
+    showLabels();
+}
+
+std::optional<QPointF> StageView::handlePosition(int handle) const {
+    const auto& all = scene_->handles.all;
+    if (handle < 0 || handle >= static_cast<int>(all.size())) return std::nullopt;
+    const Eigen::Vector3d at =
+        scene_->camera.project(all[static_cast<std::size_t>(handle)].place, viewport());
+    return at.z() > 0 ? std::optional(QPointF(at.x(), at.y())) : std::nullopt;
+}
+
+std::optional<int> StageView::handleAt(const QPointF& position) const {
+    constexpr double kReach = 12;  // pixels
+    std::optional<int> found;
+    double least = kReach;
+    for (int i = 0; i < static_cast<int>(scene_->handles.all.size()); ++i) {
+        const auto at = handlePosition(i);
+        if (!at) continue;
+        const double away = std::hypot(at->x() - position.x(), at->y() - position.y());
+        if (away >= least) continue;
+        least = away;
+        found = i;
+    }
+    return found;
+}
+
+Eigen::Vector3d StageView::facingPoint(const QPointF& position,
+                                       const Eigen::Vector3d& through) const {
+    const Ray ray = scene_->camera.rayThrough(position.x(), position.y(), viewport());
+    const Ray middle = scene_->camera.rayThrough(width() / 2.0, height() / 2.0, viewport());
+    const double slope = ray.direction.dot(middle.direction);
+    if (slope < 1e-3) return through;
+    return ray.origin + (through - ray.origin).dot(middle.direction) / slope * ray.direction;
+}
+
 void StageView::mousePressEvent(QMouseEvent* event) {
+    const auto handle =
+        event->button() == Qt::LeftButton ? handleAt(event->position()) : std::nullopt;
+    if (handle) {
+        scene_->handles.dragged = handle;
+        Q_EMIT handlePressed(*handle, event->modifiers());
+        return;
+    }
     hand_.press(*event);
 }
 
@@ -68,12 +122,23 @@ void StageView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         if (isMeasuring()) hoverAt(event->position());
         if (pointsAtFloor_) Q_EMIT floorHovered(floorAt(event->position()));
+    } else if (scene_->handles.dragged) {
+        const int handle = *scene_->handles.dragged;
+        Q_EMIT handleDragged(
+            handle, facingPoint(event->position(),
+                                scene_->handles.all[static_cast<std::size_t>(handle)].place));
     } else if (hand_.drag(*event, scene_->camera, viewport())) {
         applyCamera();
     }
 }
 
 void StageView::mouseReleaseEvent(QMouseEvent* event) {
+    if (scene_->handles.dragged) {
+        const int handle = *scene_->handles.dragged;
+        scene_->handles.dragged.reset();
+        Q_EMIT handleReleased(handle);
+        return;
+    }
     if (hand_.isDragging()) return;
     const bool menu = event->button() == Qt::RightButton;
     if (event->button() == Qt::LeftButton && isMeasuring()) {

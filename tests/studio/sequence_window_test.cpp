@@ -13,8 +13,8 @@
 #include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/made_motion.h"
 #include "studio/workspaces/sequence/cluster_map.h"
-#include "studio/workspaces/sequence/sequence_export.h"
 #include "studio/workspaces/sequence/sequence_panel.h"
 #include "studio/workspaces/sequence/sequence_session.h"
 #include "studio/workspaces/sequence/sequence_strip.h"
@@ -247,7 +247,7 @@ TEST_F(SequenceTest, IsKeptAsATakeAndWritten) {
     openWorkspace();
     addActions(2);
     const int frames = sequence().motion()->clip.frameCount();
-    keepSequenceAs(sequence(), file("mine.bvh"));
+    keepMotionAs(session(), sequence().writing(), sequence().madeMotion(), file("mine.bvh"));
     EXPECT_TRUE(QTest::qWaitFor([&] { return !sequence().writing().isRunning(); }, 5000));
     settle();
     ASSERT_EQ(session().document().project().takes.size(), 2U);
@@ -263,11 +263,11 @@ TEST_F(SequenceTest, IsKeptAsATakeAndWritten) {
     };
     EXPECT_TRUE(QTest::qWaitFor(isThere, 5000)) << "what was kept is a source, too";
     const auto written = [&] { return !sequence().writing().isRunning(); };
-    exportSequenceTo(sequence(), file("out.glb"));
+    exportMotionTo(session(), sequence().writing(), sequence().madeMotion(), file("out.glb"));
     EXPECT_TRUE(QTest::qWaitFor(written, 5000));
     EXPECT_GT(QFileInfo(file("out.glb")).size(), 1000);
     QSignalSpy failures(&sequence(), &SequenceSession::failed);
-    exportSequenceTo(sequence(), file("out.fbx"));
+    exportMotionTo(session(), sequence().writing(), sequence().madeMotion(), file("out.fbx"));
     EXPECT_TRUE(QTest::qWaitFor(written, 5000));
     EXPECT_EQ(failures.size(), 1);
 }

@@ -9,7 +9,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/view3d/stage_view.h"
-#include "studio/workspaces/sequence/sequence_export.h"
+#include "studio/workspaces/made_motion.h"
 #include "studio/workspaces/sequence/sequence_panel.h"
 #include "studio/workspaces/sequence/sequence_session.h"
 #include "studio/workspaces/sequence/sequence_strip.h"
@@ -248,13 +248,13 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
                   group,
                   text("Add &clips of files…"),
                   {QKeySequence("Ctrl+Shift+I")},
-                  [session, view] { addSequenceClips(*session, view->window()); },
+                  [session, view] { askForClips(session->session(), view->window()); },
                   [session] { return session->session().document().isOpen(); }});
     commands.add({"sequence.folder",
                   menu,
                   text("Add clips of a f&older…"),
                   {},
-                  [session, view] { addSequenceFolder(*session, view->window()); },
+                  [session, view] { askForClipFolder(session->session(), view->window()); },
                   [session] { return session->session().document().isOpen(); }});
     const auto writable = [session] {
         return session->isCurrent() && !session->writing().isRunning() &&
@@ -264,13 +264,19 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
                   group,
                   text("Keep as a &take…"),
                   {QKeySequence("Ctrl+T")},
-                  [session, view] { keepSequence(*session, view->window()); },
+                  [session, view] {
+                      keepMotion(session->session(), session->writing(), session->madeMotion(),
+                                 view->window());
+                  },
                   writable});
     commands.add({"sequence.export",
                   menu,
                   text("E&xport the sequence…"),
                   {QKeySequence("Ctrl+Shift+E")},
-                  [session, view] { exportSequence(*session, view->window()); },
+                  [session, view] {
+                      exportMotion(session->session(), session->writing(), session->madeMotion(),
+                                   view->window());
+                  },
                   writable});
     for (auto signal : {&SequenceSession::stateChanged, &SequenceSession::selectionChanged,
                         &SequenceSession::motionChanged, &SequenceSession::draftChanged,

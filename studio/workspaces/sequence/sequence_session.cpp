@@ -94,6 +94,10 @@ std::shared_ptr<const MotionLibrary> SequenceSession::sharedLibrary() const {
     return source_ ? source_->library : nullptr;
 }
 
+MadeMotion SequenceSession::madeMotion() const {
+    return {sharedLibrary(), {motion_, &motion_->clip}, QStringLiteral("sequence")};
+}
+
 const Findings& SequenceSession::findings() const {
     static const Findings none;
     return source_ ? source_->findings : none;

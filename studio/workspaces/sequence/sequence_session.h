@@ -13,6 +13,7 @@
 #include "core/project/sequence_draft.h"
 #include "core/transition/playback.h"
 #include "studio/app/session.h"
+#include "studio/workspaces/made_motion.h"
 
 namespace kumite::studio {
 
@@ -70,7 +71,8 @@ public:
     const SequenceDraft& draft() const { return draft_; }
     /// The motion that was made last; null where there is none.
     const SequenceMotion* motion() const { return motion_.get(); }
-    std::shared_ptr<const SequenceMotion> sharedMotion() const { return motion_; }
+    /// The same to be kept or written; there must be one.
+    MadeMotion madeMotion() const;
     /// Whether the motion is that of the draft as it is now.
     bool isCurrent() const { return motion_ != nullptr && shownDraft_ == draft_; }
     /// Why the draft gives no motion; else empty.

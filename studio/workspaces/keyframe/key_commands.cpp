@@ -1,0 +1,161 @@
+#include "studio/workspaces/keyframe/key_commands.h"
+
+#include <QApplication>
+
+#include <cmath>
+
+#include "studio/app/commands.h"
+#include "studio/view3d/stage_view.h"
+#include "studio/workspaces/keyframe/key_session.h"
+
+namespace kumite::studio {
+
+namespace {
+
+QString text(const char* source) {
+    return QApplication::translate("kumite::studio::KeyCommands", source);
+}
+
+/// The chosen handle, one centimetre on.
+void nudge(KeySession& keys, const Eigen::Vector3d& way) {
+    if (!keys.isEditable() || keys.pose() == nullptr) return;
+    const auto at = handlePoint(*keys.draft().track.rig, *keys.pose(), keys.handle());
+    if (at) keys.place(keys.handle(), *at + way);
+}
+
+}  // namespace
+
+void addKeyCommands(CommandTable& commands, KeySession& keys, StageView& stage) {
+    const QString menu = text("Ke&yframe");
+    const QString group = QLatin1Char('-') + menu;
+    KeySession* session = &keys;
+    StageView* view = &stage;
+    const auto ready = [session] { return session->library() != nullptr; };
+    const auto any = [session] { return !session->draft().track.keys.empty(); };
+    const auto chosen = [session] { return session->key().has_value(); };
+    const auto editable = [session] { return session->isEditable(); };
+    const auto add = [&](const char* id, const QString& where, const QString& title,
+                         const QList<QKeySequence>& keysOf, std::function<void()> run,
+                         std::function<bool()> enabled, const QString& icon = {}) {
+        commands.add({id, where, title, keysOf, std::move(run), std::move(enabled), {}, icon});
+    };
+    add(
+        "keys.play", menu, text("&Play or pause"), {QKeySequence("Space")},
+        [session] { session->setPlaying(!session->isPlaying()); }, any, "play");
+    add(
+        "keys.back", menu, text("One frame back"), {QKeySequence("Left"), QKeySequence(",")},
+        [session] { session->step(-1); }, ready, "step_back");
+    add(
+        "keys.on", menu, text("One frame on"), {QKeySequence("Right"), QKeySequence(".")},
+        [session] { session->step(1); }, ready, "step_on");
+    add(
+        "keys.backTen", menu, text("Ten frames back"), {QKeySequence("Shift+Left")},
+        [session] { session->step(-10); }, ready);
+    add(
+        "keys.onTen", menu, text("Ten frames on"), {QKeySequence("Shift+Right")},
+        [session] { session->step(10); }, ready);
+    add(
+        "keys.start", menu, text("To the first key"), {QKeySequence("Home")},
+        [session] { session->seek(session->firstFrame()); }, any, "to_begin");
+    add(
+        "keys.end", menu, text("To the last key"), {QKeySequence("End")},
+        [session] { session->seek(session->lastFrame()); }, any, "to_end");
+    commands.add({"keys.motion",
+                  group,
+                  text("Show the &motion instead of the keys"),
+                  {QKeySequence("V")},
+                  [session] { session->setShowsMotion(!session->showsMotion()); },
+                  [session] { return session->motion() != nullptr; },
+                  [session] { return session->showsMotion(); }});
+    add(
+        "keys.add", group, text("&Add a key here"), {QKeySequence("Return"), QKeySequence("Enter")},
+        [session] { session->addKey(); }, ready);
+    add(
+        "keys.remove", menu, text("&Remove the key"),
+        {QKeySequence("Del"), QKeySequence("Backspace")}, [session] { session->removeKey(); },
+        chosen);
+    add(
+        "keys.previous", menu, text("Key before"), {QKeySequence("PgUp")},
+        [session] { session->chooseNext(-1); }, any);
+    add(
+        "keys.next", menu, text("Key after"), {QKeySequence("PgDown")},
+        [session] { session->chooseNext(1); }, any);
+    add(
+        "keys.earlier", menu, text("Move the key earlier"), {QKeySequence("Alt+Left")},
+        [session] { session->moveKey(*session->key(), *session->key() - 1); }, chosen);
+    add(
+        "keys.later", menu, text("Move the key later"), {QKeySequence("Alt+Right")},
+        [session] { session->moveKey(*session->key(), *session->key() + 1); }, chosen);
+    add(
+        "keys.copy", menu, text("&Copy the key to the playhead, or behind the last"),
+        {QKeySequence("Ctrl+D")}, [session] { session->copyKey(); }, chosen);
+    add(
+        "keys.mirror", menu, text("M&irror the pose"), {QKeySequence("X")},
+        [session] { session->mirrorKey(); }, editable);
+    add(
+        "keys.take", menu, text("&Take the pose that the recording shows"), {QKeySequence("T")},
+        [session] { session->takePose(); }, editable);
+    add(
+        "keys.pin", group, text("The handle &stays where it is, or not"), {QKeySequence("P")},
+        [session] { session->setPinned(session->handle(), !session->pins()[session->handle()]); },
+        editable);
+    add(
+        "keys.nextHandle", menu, text("Next handle"), {QKeySequence("N")},
+        [session] {
+            session->setHandle(
+                static_cast<Handle>((static_cast<int>(session->handle()) + 1) % kHandleCount));
+        },
+        editable);
+    const auto move = [&](const char* id, const QString& title, const char* key,
+                          const Eigen::Vector3d& way) {
+        add(
+            id, menu, title, {QKeySequence(QLatin1String(key))},
+            [session, way] { nudge(*session, way); }, editable);
+    };
+    move("keys.up", text("Handle up"), "Ctrl+Up", {0, 0.02, 0});
+    move("keys.down", text("Handle down"), "Ctrl+Down", {0, -0.02, 0});
+    move("keys.xMinus", text("Handle toward −x"), "Ctrl+Left", {-0.02, 0, 0});
+    move("keys.xPlus", text("Handle toward +x"), "Ctrl+Right", {0.02, 0, 0});
+    move("keys.zMinus", text("Handle toward −z"), "Ctrl+Shift+Up", {0, 0, -0.02});
+    move("keys.zPlus", text("Handle toward +z"), "Ctrl+Shift+Down", {0, 0, 0.02});
+    add(
+        "keys.anywhere", group, text("The body from anywhere again"), {QKeySequence("B")},
+        [session] {
+            session->change(text("Take the body from anywhere"),
+                            [](KeyDraft& draft) { draft.body.clear(); });
+        },
+        [session] { return !session->draft().body.empty(); });
+    add(
+        "keys.clear", menu, text("Remove all keys"), {}, [session] { session->clear(); }, any);
+    const auto open = [session] { return session->session().document().isOpen(); };
+    add(
+        "keys.clips", group, text("Add clips of &files…"), {QKeySequence("Ctrl+Shift+I")},
+        [session, view] { askForClips(session->session(), view->window()); }, open);
+    add(
+        "keys.folder", menu, text("Add clips of a f&older…"), {},
+        [session, view] { askForClipFolder(session->session(), view->window()); }, open);
+    const auto writable = [session] {
+        return session->isCurrent() && !session->writing().isRunning();
+    };
+    add(
+        "keys.keep", group, text("&Keep as a take…"), {QKeySequence("Ctrl+T")},
+        [session, view] {
+            session->setPlaying(false);
+            keepMotion(session->session(), session->writing(), session->madeMotion(),
+                       view->window());
+        },
+        writable);
+    add(
+        "keys.export", menu, text("E&xport the motion…"), {QKeySequence("Ctrl+Shift+E")},
+        [session, view] {
+            session->setPlaying(false);
+            exportMotion(session->session(), session->writing(), session->madeMotion(),
+                         view->window());
+        },
+        writable);
+    for (auto signal : {&KeySession::stateChanged, &KeySession::chosen, &KeySession::motionChanged,
+                        &KeySession::draftChanged, &KeySession::libraryChanged})
+        QObject::connect(session, signal, &commands, &CommandTable::refresh);
+}
+
+}  // namespace kumite::studio

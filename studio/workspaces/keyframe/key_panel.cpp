@@ -1,0 +1,79 @@
+#include "studio/workspaces/keyframe/key_panel.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+#include "studio/app/commands.h"
+#include "studio/workspaces/keyframe/key_session.h"
+#include "studio/workspaces/keyframe/motion_box.h"
+#include "studio/workspaces/keyframe/pose_box.h"
+
+namespace kumite::studio {
+
+KeyPanel::KeyPanel(KeySession& keys, QWidget* parent)
+    : QStackedWidget(parent),
+      keys_(keys),
+      buttons_(new QHBoxLayout),
+      empty_(new QWidget(this)),
+      full_(new QWidget(this)),
+      why_(new QLabel(empty_)) {
+    auto* none = new QVBoxLayout(empty_);
+    none->setContentsMargins(8, 8, 8, 8);
+    none->setSpacing(8);
+    why_->setWordWrap(true);
+    why_->setProperty("role", "second");
+    why_->setAccessibleName(tr("What appears here"));
+    none->addWidget(why_);
+    none->addStretch(1);
+    auto* layout = new QVBoxLayout(full_);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(10);
+    layout->addWidget(new PoseBox(keys_, full_));
+    layout->addWidget(new MotionBox(keys_, full_), 1);
+    buttons_->setSpacing(4);
+    layout->addLayout(buttons_);
+    addWidget(empty_);
+    addWidget(full_);
+    connect(&keys_, &KeySession::libraryChanged, this, &KeyPanel::refresh);
+    connect(&keys_, &KeySession::stateChanged, this, &KeyPanel::refresh);
+    refresh();
+}
+
+void KeyPanel::addCommands(CommandTable& commands) {
+    const std::pair<const char*, QString> all[] = {
+        {"keys.clips", tr("Clips…")}, {"keys.keep", tr("Keep…")}, {"keys.export", tr("Export…")}};
+    for (const auto& [id, text] : all) {
+        const QAction* action = commands.action(QLatin1String(id));
+        auto* button = new QPushButton(text, full_);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setToolTip(commands.find(QLatin1String(id))->plainText());
+        commands.tellKey(button, QLatin1String(id));
+        connect(button, &QPushButton::clicked, action, &QAction::trigger);
+        buttons_->addWidget(button, 1);
+    }
+}
+
+void KeyPanel::addStep(const QString& text, const QString& tip, std::function<void()> run) {
+    auto* button = new QPushButton(text, empty_);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, std::move(run));
+    auto* layout = static_cast<QVBoxLayout*>(empty_->layout());
+    layout->insertWidget(layout->count() - 1, button);
+}
+
+void KeyPanel::refresh() {
+    const QString why = keys_.whyNothing();
+    why_->setText(!why.isEmpty() ? why
+                                 : tr("A few key poses become a motion that is put together from "
+                                      "the takes and clips: it appears here."));
+    for (auto* button : empty_->findChildren<QPushButton*>())
+        button->setVisible(!why.isEmpty());
+    setCurrentWidget(keys_.library() == nullptr ? empty_ : full_);
+}
+
+}  // namespace kumite::studio

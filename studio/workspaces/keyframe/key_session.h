@@ -1,0 +1,156 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/editing/pose_handles.h"
+#include "core/project/key_draft.h"
+#include "studio/app/session.h"
+#include "studio/workspaces/made_motion.h"
+
+namespace kumite::studio {
+
+/// What key poses are looked up in: the project's takes and clips with the features of all poses.
+struct KeySource {
+    Project made;  ///< what it was made of, without drafts
+    std::shared_ptr<const KeyLibrary> library;
+    QString whyNothing;  ///< what is missing; else empty
+};
+
+/// A motion that was made of the keys.
+struct KeyMotion {
+    std::vector<PoseMatch> found;  ///< for the whole body, the best first
+    AssemblyPlan plan;
+    Assembly assembly;
+};
+
+/// What the Keyframe workspace works on. The keys are the project's draft: every change of them is
+/// a step of the history. Library and motion are computed beside the window; the latest wins.
+class KeySession : public QObject {
+    Q_OBJECT
+
+public:
+    explicit KeySession(Session& session, QObject* parent = nullptr);
+
+    Session& session() { return session_; }
+    JobRunner& jobs() { return jobs_; }
+    JobRunner& making() { return making_; }
+    JobRunner& writing() { return writing_; }
+    /// Prepares and makes only while somebody looks.
+    void setActive(bool active);
+    bool isActive() const { return active_; }
+    bool isPreparing() const { return jobs_.isRunning() || due_.isActive(); }
+
+    /// Null until it was prepared for the first time, or where there is nothing to make it of.
+    const KeyLibrary* library() const { return source_ ? source_->library.get() : nullptr; }
+    std::shared_ptr<const MotionLibrary> motions() const;
+    QString whyNothing() const { return source_ ? source_->whyNothing : QString(); }
+    /// "punch 0:01.2 to 0:02.0".
+    QString placeOf(const PoseMatch& match) const;
+
+    const KeyDraft& draft() const { return draft_; }
+    /// The motion of the draft; null where there is none (yet).
+    const KeyMotion* motion() const { return motion_.get(); }
+    bool isCurrent() const { return motion_ != nullptr && current_; }
+    /// Why the keys give no motion; else empty.
+    QString problem() const { return problem_; }
+    MadeMotion madeMotion() const;
+
+    // Edits; one step of the history each.
+    /// A key at the playhead: the pose that the keys have there; the first is a pose of the take.
+    void addKey();
+    /// The pose of the active fighter at the take's playhead, where the key stands.
+    void takePose();
+    void removeKey();
+    void moveKey(int from, int to);
+    void copyKey();
+    void mirrorKey();
+    void setEasing(Easing easing);
+    void clear();
+    void change(const QString& edit, const std::function<void(KeyDraft&)>& act);
+
+    /// The chosen key's frame.
+    std::optional<int> key() const { return key_; }
+    void choose(std::optional<int> frame);
+    void chooseNext(int direction);
+
+    // The pose of the chosen key, by hand.
+    Handle handle() const { return handle_; }
+    void setHandle(Handle handle);
+    const Pins& pins() const { return pins_; }
+    void setPinned(Handle handle, bool pinned);
+    /// Draws the handle to a place; `release` makes it a step of the history.
+    void drag(Handle handle, const Eigen::Vector3d& place);
+    void release();
+    /// Draws a handle to exactly that place, as a step of the history.
+    void place(Handle handle, const Eigen::Vector3d& place);
+    /// How far the dragged handle stayed behind the hand, metres.
+    double missing() const { return missing_; }
+
+    /// The keys themselves, or the motion made of them.
+    bool showsMotion() const { return showsMotion_; }
+    void setShowsMotion(bool motion);
+
+    /// The shown pose; null where there is none.
+    const Pose* pose() const { return shown_ ? &*shown_ : nullptr; }
+    /// Whether the shown pose is the chosen key's, which can be dragged.
+    bool isEditable() const;
+    double frame() const { return frame_; }  ///< of the keys' timeline
+    double rate() const { return draft_.track.rate > 0 ? draft_.track.rate : 60; }
+    int firstFrame() const;
+    int lastFrame() const;
+    void seek(double frame);
+    void step(int frames);
+    bool isPlaying() const { return timer_.isActive(); }
+    void setPlaying(bool playing);
+
+Q_SIGNALS:
+    /// Another library, or none.
+    void libraryChanged();
+    void draftChanged();
+    void motionChanged();
+    /// Another key or handle is chosen, or pins changed.
+    void chosen();
+    /// Another moment or pose is shown.
+    void moved();
+    void stateChanged();
+    void failed(const QString& sentence);
+
+private:
+    void follow();
+    void prepare();
+    void readDraft();
+    void make();
+    bool attempt(const std::function<void()>& act);
+    std::optional<Pose> poseOfTake() const;
+    void advance();
+    void show();
+
+    Session& session_;
+    JobRunner jobs_, making_, writing_;
+    QTimer due_, timer_;
+    QElapsedTimer clock_;
+    bool active_ = false;
+    std::shared_ptr<const KeySource> source_;
+    KeyDraft draft_;
+    std::string draftText_;
+    std::shared_ptr<const KeyMotion> motion_;
+    bool current_ = false;
+    QString problem_;
+    std::optional<int> key_;
+    Handle handle_ = Handle::RightHand;
+    Pins pins_ = feetPinned();
+    std::optional<Pose> dragged_;  ///< the chosen key's pose while a hand draws at it
+    double missing_ = 0;
+    bool showsMotion_ = false;
+    double frame_ = 0;
+    std::optional<Pose> shown_;
+};
+
+}  // namespace kumite::studio

@@ -1,0 +1,76 @@
+#include "studio/workspaces/keyframe/key_stage.h"
+
+#include "studio/view3d/stage_view.h"
+#include "studio/workspaces/keyframe/key_session.h"
+
+namespace kumite::studio {
+
+KeyStage::KeyStage(KeySession& keys, StageView& stage, QObject* parent)
+    : QObject(parent), keys_(keys), stage_(stage) {
+    connect(&keys_, &KeySession::libraryChanged, this, &KeyStage::begin);
+    connect(&keys_, &KeySession::stateChanged, this, &KeyStage::begin);
+    connect(&keys_, &KeySession::moved, this, &KeyStage::show);
+    connect(&keys_, &KeySession::chosen, this, &KeyStage::show);
+    connect(&stage_, &StageView::handlePressed, this,
+            [this](int index, Qt::KeyboardModifiers modifiers) {
+                if (!isShown()) return;
+                const Handle handle = handles_[static_cast<std::size_t>(index)];
+                keys_.setHandle(handle);
+                if (modifiers & Qt::ControlModifier) keys_.setPinned(handle, !keys_.pins()[handle]);
+            });
+    connect(&stage_, &StageView::handleDragged, this,
+            [this](int index, const Eigen::Vector3d& place) {
+                if (isShown()) keys_.drag(handles_[static_cast<std::size_t>(index)], place);
+            });
+    connect(&stage_, &StageView::handleReleased, this, [this] {
+        if (isShown()) keys_.release();
+    });
+}
+
+bool KeyStage::isShown() const {
+    return library_ != nullptr && stage_.isLiveFor(this);
+}
+
+void KeyStage::begin() {
+    const auto wanted = keys_.isActive() ? keys_.motions() : nullptr;
+    if (wanted == library_ && (wanted == nullptr || stage_.isLiveFor(this))) return show();
+    library_ = wanted;
+    framed_ = false;
+    if (library_ == nullptr) {
+        stage_.endLive(this);
+        return;
+    }
+    std::array<std::vector<Bone>, 2> bones;
+    bones[0] = bonesOf(*library_->skeleton, library_->rig->roles, library_->space.metresPerUnit);
+    stage_.beginLive(this, std::move(bones));
+    show();
+}
+
+void KeyStage::show() {
+    if (!isShown()) return;
+    std::array<FigurePose, 2> poses;
+    std::vector<StageHandle> handles;
+    handles_.clear();
+    if (const Pose* pose = keys_.pose(); pose != nullptr) {
+        JointFrames frames;
+        jointFrames(*library_->rig, *pose, frames);
+        for (const Eigen::Vector3d& joint : frames.positions)
+            poses[0].joints.push_back(joint.cast<float>());
+        for (const Handle handle : allHandles()) {
+            const auto at =
+                keys_.isEditable() ? handlePoint(*library_->rig, *pose, handle) : std::nullopt;
+            if (!at) continue;
+            handles_.push_back(handle);
+            handles.push_back({*at, handle == keys_.handle(), keys_.pins()[handle]});
+        }
+    }
+    const bool empty = poses[0].joints.empty();
+    stage_.showLive(std::move(poses));
+    stage_.setHandles(std::move(handles));
+    if (!empty && !framed_) {
+        stage_.frameAll();
+        framed_ = true;
+    }
+}
+
+}  // namespace kumite::studio

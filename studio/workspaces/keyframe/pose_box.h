@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include <array>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+
+namespace kumite::studio {
+
+class KeySession;
+
+/// The chosen key's pose in numbers: where a handle is, whether it stays there while another is
+/// drawn, and how the way to the next key goes.
+class PoseBox : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PoseBox(KeySession& keys, QWidget* parent = nullptr);
+
+private:
+    void refresh();
+    void place();
+
+    KeySession& keys_;
+    QLabel* text_;
+    QComboBox* handle_;
+    QCheckBox* pinned_;
+    std::array<QDoubleSpinBox*, 3> place_;
+    QComboBox* easing_;
+};
+
+}  // namespace kumite::studio
