@@ -62,8 +62,10 @@ void KeyStrip::paintEvent(QPaintEvent*) {
         painter.setPen(c.line);
         painter.drawLine(QPointF(x, kRuler - 5), QPointF(x, height()));
         painter.setPen(c.secondText);
-        painter.drawText(QRectF(x + 3, 0, 90, kRuler - 2), Qt::AlignLeft | Qt::AlignVCenter,
-                         timeText(t, std::min(1.0, step)));
+        // A time that would be cut off is left out.
+        const QString time = timeText(t, std::min(1.0, step));
+        if (x + 3 + painter.fontMetrics().horizontalAdvance(time) > width()) continue;
+        painter.drawText(QRectF(x + 3, 0, 90, kRuler - 2), Qt::AlignLeft | Qt::AlignVCenter, time);
     }
     const auto& keys = keys_.draft().track.keys;
     painter.setRenderHint(QPainter::Antialiasing);
