@@ -37,6 +37,7 @@
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/bout/bout_session.h"
 #include "studio/workspaces/graph/graph_session.h"
+#include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/sequence/sequence_session.h"
@@ -222,7 +223,7 @@ bool MainWindow::isBusy() const {
     return files_->isBusy() || session_.document().isComputing() || timeline_->isPreparing() ||
            (labels_->isActive() && labels_->isLearning()) || graph_->isLearning() ||
            bout_->isPreparing() || sequence_->isPreparing() || sequence_->making().isRunning() ||
-           keys_->isPreparing() || keys_->making().isRunning();
+           keys_->isPreparing() || keys_->making().isRunning() || hit_->jobs().isRunning();
 }
 
 void MainWindow::shareSpace() {
@@ -264,7 +265,7 @@ void MainWindow::refreshIcons() {
     if (session_.transport().isPlaying()) showPause("transport.play");
     if (bout_ != nullptr && bout_->isPlaying()) showPause("bout.play");
     if (sequence_ != nullptr && sequence_->isPlaying()) showPause("sequence.play");
-    if (keys_ != nullptr && keys_->isPlaying()) showPause("keys.play");
+    if (hit_ != nullptr && (keys_->isPlaying() || hit_->isPlaying())) showPause("keys.play");
 }
 
 void MainWindow::showKeysHint() {

@@ -18,6 +18,7 @@ class QToolButton;
 namespace kumite::studio {
 
 class BoutSession;
+class HitSession;
 class KeySession;
 class SequenceSession;
 class CommandPalette;
@@ -67,6 +68,7 @@ public:
     BoutSession& bout() { return *bout_; }
     SequenceSession& sequence() { return *sequence_; }
     KeySession& keys() { return *keys_; }
+    HitSession& hit() { return *hit_; }
     GraphSession& graph() { return *graph_; }
     GraphCentre& graphCentre() { return *graphCentre_; }
     LabelSession& labels() { return *labels_; }
@@ -166,6 +168,7 @@ private:
     BoutSession* bout_ = nullptr;
     SequenceSession* sequence_ = nullptr;
     KeySession* keys_ = nullptr;
+    HitSession* hit_ = nullptr;
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
     CommandPalette* palette_ = nullptr;

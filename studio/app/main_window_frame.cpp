@@ -37,6 +37,7 @@
 #include "studio/workspaces/graph/surprise_strip.h"
 #include "studio/workspaces/graph/trace_box.h"
 #include "studio/workspaces/graph/what_if_box.h"
+#include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_bar.h"
 #include "studio/workspaces/keyframe/key_commands.h"
 #include "studio/workspaces/keyframe/key_panel.h"
@@ -222,11 +223,14 @@ void MainWindow::addKeyframeWorkspace() {
     for (JobRunner* runner : {&keys_->jobs(), &keys_->making(), &keys_->writing()})
         jobs->watch(*runner);
     connect(keys_, &KeySession::failed, strip_, &MessageStrip::showError);
-    auto* panel = new KeyPanel(*keys_, rightPanel_);
+    hit_ = new HitSession(*keys_, this);
+    jobs->watch(hit_->jobs());
+    connect(hit_, &HitSession::failed, strip_, &MessageStrip::showError);
+    auto* panel = new KeyPanel(*keys_, *hit_, rightPanel_);
     workspaces_->add({"keyframe", tr("Keyframe"), "keyframe",
                       tr("A few key poses become a motion made of the recorded ones."), panel,
                       [this, panel] {
-                          addKeyCommands(*commands_, *keys_, *stage_);
+                          addKeyCommands(*commands_, *keys_, *hit_, *stage_);
                           panel->addCommands(*commands_);
                       }});
     panel->addStep(tr("Add clips…"), tr("Of motion files or other projects"),
@@ -237,7 +241,7 @@ void MainWindow::addKeyframeWorkspace() {
     box->setSpacing(0);
     box->addWidget(new KeyBar(*keys_, *commands_, below));
     box->addWidget(new KeyStrip(*keys_, below), 1);
-    new KeyStage(*keys_, *stage_, this);
+    new KeyStage(*keys_, *hit_, *stage_, this);
     const auto follow = [this, below] {
         const bool shown = workspaces_->current() == QLatin1String("keyframe");
         below->setVisible(shown);
@@ -245,13 +249,16 @@ void MainWindow::addKeyframeWorkspace() {
         keys_->setActive(shown);
         if (shown) stage_->setFocus();
     };
-    connect(keys_, &KeySession::stateChanged, this, [this, playing = false]() mutable {
-        if (playing != keys_->isPlaying()) {
-            playing = keys_->isPlaying();
+    const auto state = [this, playing = std::make_shared<bool>(false)] {
+        const bool now = keys_->isPlaying() || hit_->isPlaying();
+        if (*playing != now) {
+            *playing = now;
             refreshIcons();
         }
         if (keys_->isActive()) showKeysHint();
-    });
+    };
+    connect(keys_, &KeySession::stateChanged, this, state);
+    connect(hit_, &HitSession::changed, this, state);
     connect(keys_, &KeySession::chosen, this, [this] {
         if (keys_->isActive()) showKeysHint();
     });
@@ -400,16 +407,17 @@ QStringList MainWindow::keysHint() const {
         {{"sequence.draw"}, tr("draw its transition anew")},
         {{"sequence.map"}, tr("map of poses")},
         {{"sequence.live"}, tr("live")},
-        {{"keys.play"}, keys_->isPlaying() ? tr("pause") : tr("play")},
-        {{"keys.add"}, tr("add a key here")},
-        {{"keys.previous", "keys.next"}, tr("key")},
-        {{"keys.take"}, tr("take the recording's pose"), keys_->isEditable()},
-        {{"keys.nextHandle"}, tr("handle"), keys_->isEditable()},
-        {{"keys.pin"}, tr("pin it"), keys_->isEditable()},
-        {{"keys.mirror"}, tr("mirror"), keys_->isEditable()},
+        {{"keys.play"}, keys_->isPlaying() || hit_->isPlaying() ? tr("pause") : tr("play")},
+        {{"keys.add"}, tr("add a key here"), !hit_->isOn()},
+        {{"keys.previous", "keys.next"}, tr("key"), !hit_->isOn()},
+        {{"keys.take"}, tr("take the recording's pose"), keys_->isEditable() && !hit_->isOn()},
+        {{"keys.nextHandle"}, tr("handle"), keys_->isEditable() && !hit_->isOn()},
+        {{"keys.pin"}, tr("pin it"), keys_->isEditable() && !hit_->isOn()},
+        {{"keys.mirror"}, tr("mirror"), keys_->isEditable() && !hit_->isOn()},
+        {{"keys.hit"}, hit_->isOn() ? tr("back to the keys") : tr("hit a target")},
         {{"keys.motion"},
          keys_->showsMotion() ? tr("keys") : tr("motion"),
-         keys_->motion() != nullptr},
+         keys_->motion() != nullptr && !hit_->isOn()},
         {{"bout.keep"}, tr("keep as a take")},
         {{"graph.nextSurprise"}, tr("next surprise"), !measuring},
         {{"graph.play"}, tr("play what is behind"), !measuring},

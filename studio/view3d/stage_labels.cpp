@@ -87,6 +87,8 @@ QRegion StageLabels::extent() const {
     };
     for (const auto& centre : marks_.centres)
         add(around(centre.at, kCentreRadius));
+    for (const auto& edge : marks_.edges)
+        add(QRectF(edge.from, edge.to).normalized());
     for (const auto& handle : marks_.handles)
         add(around(handle.at, kPointRadius + 3));
     for (const auto& point : marks_.points) {
@@ -119,6 +121,11 @@ void StageLabels::paintEvent(QPaintEvent*) {
         drawPoint(painter, line.from, c);
         drawPoint(painter, line.to, c);
         writeBox(painter, boxOf(fontMetrics(), line.text, besideLine(line), rect()), line.text, c);
+    }
+    for (const auto& edge : marks_.edges) {
+        painter.setPen(
+            QPen(withAlpha(edge.strong ? c.accent : c.secondText, 0.8), edge.strong ? 1.5 : 1.0));
+        painter.drawLine(edge.from, edge.to);
     }
     for (const auto& handle : marks_.handles) {
         // A square stays where it is.

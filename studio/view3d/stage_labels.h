@@ -34,7 +34,14 @@ struct StageMarks {
         bool pinned = false;
         bool operator==(const Handle&) const = default;
     };
+    struct Edge {
+        QPointF from;
+        QPointF to;
+        bool strong = false;
+        bool operator==(const Edge&) const = default;
+    };
     std::vector<CentreOfMass> centres;
+    std::vector<Edge> edges;
     std::vector<Handle> handles;
     std::vector<Point> points;
     std::optional<Distance> distance;

@@ -93,7 +93,7 @@ public:
     void setFloorMark(const std::optional<Eigen::Vector2d>& place, bool faint);
 
     /// Points of the live figures that can be dragged; none: an empty list.
-    void setHandles(std::vector<StageHandle> handles);
+    void setHandles(std::vector<StageHandle> handles, std::vector<StageBox> boxes = {});
     /// Where a handle is drawn, in the view's pixels.
     std::optional<QPointF> handlePosition(int handle) const;
 

@@ -30,6 +30,24 @@ void StageView::showLabels() {
     } else if (from) {
         marks.points.push_back({*from, {}});
     }
+    for (const StageBox& box : scene_->handles.boxes) {
+        // Its edges lead from each corner to those that differ in one direction.
+        for (int corner = 0; corner < 8; ++corner) {
+            for (int axis = 0; axis < 3; ++axis) {
+                if ((corner >> axis & 1) != 0) continue;
+                const auto project = [&](int which) {
+                    Eigen::Vector3d at = box.low;
+                    for (int k = 0; k < 3; ++k) {
+                        if ((which >> k & 1) != 0) at[k] = box.high[k];
+                    }
+                    return scene_->camera.project(at, viewport());
+                };
+                const Eigen::Vector3d from = project(corner), to = project(corner | 1 << axis);
+                if (from.z() > 0 && to.z() > 0)
+                    marks.edges.push_back({{from.x(), from.y()}, {to.x(), to.y()}, box.strong});
+            }
+        }
+    }
     for (std::size_t i = 0; i < scene_->handles.all.size(); ++i) {
         const auto at = handlePosition(static_cast<int>(i));
         const StageHandle& handle = scene_->handles.all[i];
@@ -67,8 +85,9 @@ void StageView::hoverAt(const QPointF& position) {
     showLabels();
 }
 
-void StageView::setHandles(std::vector<StageHandle> handles) {
+void StageView::setHandles(std::vector<StageHandle> handles, std::vector<StageBox> boxes) {
     scene_->handles.all = std::move(handles);
+    scene_->handles.boxes = std::move(boxes);
     if (scene_->handles.dragged &&
         *scene_->handles.dragged >= static_cast<int>(scene_->handles.all.size()))
         scene_->handles.dragged.reset();

@@ -3,15 +3,19 @@
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QListWidget>
+#include <QPushButton>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/project/demo_bout.h"
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_panel.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/key_strip.h"
@@ -193,6 +197,53 @@ TEST_F(KeyframeTest, KeysBecomeAMotionThatIsKept) {
     ASSERT_EQ(session().document().project().takes.size(), 2U);
     EXPECT_EQ(session().document().project().takes.back().fighters.front().frames.size(), 61);
     EXPECT_TRUE(QFileInfo::exists(file("made.bvh")));
+}
+
+/// Strikes come with the demo bout and its labels.
+TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
+    const DemoFiles demo =
+        writeDemoBout({60, 60, 3}, std::filesystem::path(file("demo").toStdString()));
+    window_->files().open({QString::fromStdString(demo.project().string())});
+    settle();
+    window_->workspaces().show("bout");
+    settle();
+    for (auto* button : window_->findChildren<QPushButton*>()) {
+        if (button->text() == "Take over labels…" && button->isVisible())
+            QTest::mouseClick(button, Qt::LeftButton);
+    }
+    settle();
+    window_->workspaces().show("keyframe");
+    settle();
+    window_->stage().setFocus();
+    press(Qt::Key_S);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->hit().motion().has_value(); }, 20000))
+        << window_->hit().problem().toStdString();
+    HitSession& hit = window_->hit();
+    EXPECT_TRUE(hit.motion()->hits);
+    const auto& strikes = hit.strikes();
+    EXPECT_NE(std::find(strikes.begin(), strikes.end(), "right_punch"), strikes.end());
+    const Eigen::Vector3d before = hit.target();
+    const auto at = window_->stage().handlePosition(0);
+    ASSERT_TRUE(at);
+    const QPoint from = at->toPoint(), to = from + QPoint(6, -12);
+    QTest::mousePress(&window_->stage(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(&window_->stage(), (from + to) / 2);
+    QTest::mouseMove(&window_->stage(), to);
+    QTest::mouseRelease(&window_->stage(), Qt::LeftButton, {}, to);
+    EXPECT_GT(hit.target().y(), before.y());
+    ASSERT_TRUE(hit.motion());
+    EXPECT_LT((hit.motion()->reached - hit.target()).norm(), 0.05);
+    // Far outside of what can be reached: it says so, and the nearest is shown.
+    hit.setTarget({2.5, 2.4, -2.0});
+    ASSERT_TRUE(hit.motion());
+    EXPECT_FALSE(hit.motion()->hits);
+    EXPECT_NE(hit.pose(), nullptr);
+    press(Qt::Key_Space);
+    EXPECT_TRUE(hit.isPlaying());
+    press(Qt::Key_Space);
+    press(Qt::Key_S);
+    EXPECT_FALSE(hit.isOn());
+    EXPECT_EQ(keys().pose(), nullptr) << "no keys were made";
 }
 
 }  // namespace

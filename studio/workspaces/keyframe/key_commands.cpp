@@ -6,6 +6,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
@@ -25,15 +26,17 @@ void nudge(KeySession& keys, const Eigen::Vector3d& way) {
 
 }  // namespace
 
-void addKeyCommands(CommandTable& commands, KeySession& keys, StageView& stage) {
+void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, StageView& stage) {
     const QString menu = text("Ke&yframe");
     const QString group = QLatin1Char('-') + menu;
     KeySession* session = &keys;
+    HitSession* tool = &hit;
     StageView* view = &stage;
-    const auto ready = [session] { return session->library() != nullptr; };
-    const auto any = [session] { return !session->draft().track.keys.empty(); };
-    const auto chosen = [session] { return session->key().has_value(); };
-    const auto editable = [session] { return session->isEditable(); };
+    // While the hit tool is shown keys rest.
+    const auto ready = [session, tool] { return session->library() != nullptr && !tool->isOn(); };
+    const auto any = [session, ready] { return ready() && !session->draft().track.keys.empty(); };
+    const auto chosen = [session, ready] { return ready() && session->key().has_value(); };
+    const auto editable = [session, ready] { return ready() && session->isEditable(); };
     const auto add = [&](const char* id, const QString& where, const QString& title,
                          const QList<QKeySequence>& keysOf, std::function<void()> run,
                          std::function<bool()> enabled, const QString& icon = {}) {
@@ -41,7 +44,14 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, StageView& stage) 
     };
     add(
         "keys.play", menu, text("&Play or pause"), {QKeySequence("Space")},
-        [session] { session->setPlaying(!session->isPlaying()); }, any, "play");
+        [session, tool] {
+            if (tool->isOn()) {
+                tool->setPlaying(!tool->isPlaying());
+            } else {
+                session->setPlaying(!session->isPlaying());
+            }
+        },
+        [tool, any] { return tool->isOn() ? tool->motion().has_value() : any(); }, "play");
     add(
         "keys.back", menu, text("One frame back"), {QKeySequence("Left"), QKeySequence(",")},
         [session] { session->step(-1); }, ready, "step_back");
@@ -65,8 +75,15 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, StageView& stage) 
                   text("Show the &motion instead of the keys"),
                   {QKeySequence("V")},
                   [session] { session->setShowsMotion(!session->showsMotion()); },
-                  [session] { return session->motion() != nullptr; },
+                  [session, ready] { return ready() && session->motion() != nullptr; },
                   [session] { return session->showsMotion(); }});
+    commands.add({"keys.hit",
+                  menu,
+                  text("&Hit a target"),
+                  {QKeySequence("S")},
+                  [tool] { tool->setOn(!tool->isOn()); },
+                  [session] { return session->library() != nullptr; },
+                  [tool] { return tool->isOn(); }});
     add(
         "keys.add", group, text("&Add a key here"), {QKeySequence("Return"), QKeySequence("Enter")},
         [session] { session->addKey(); }, ready);
@@ -134,28 +151,30 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, StageView& stage) 
     add(
         "keys.folder", menu, text("Add clips of a f&older…"), {},
         [session, view] { askForClipFolder(session->session(), view->window()); }, open);
-    const auto writable = [session] {
-        return session->isCurrent() && !session->writing().isRunning();
+    const auto writable = [session, tool] {
+        return (tool->isOn() ? tool->motion().has_value() : session->isCurrent()) &&
+               !session->writing().isRunning();
+    };
+    const auto made = [session, tool] {
+        session->setPlaying(false);
+        return tool->isOn() ? tool->madeMotion() : session->madeMotion();
     };
     add(
         "keys.keep", group, text("&Keep as a take…"), {QKeySequence("Ctrl+T")},
-        [session, view] {
-            session->setPlaying(false);
-            keepMotion(session->session(), session->writing(), session->madeMotion(),
-                       view->window());
+        [session, view, made] {
+            keepMotion(session->session(), session->writing(), made(), view->window());
         },
         writable);
     add(
         "keys.export", menu, text("E&xport the motion…"), {QKeySequence("Ctrl+Shift+E")},
-        [session, view] {
-            session->setPlaying(false);
-            exportMotion(session->session(), session->writing(), session->madeMotion(),
-                         view->window());
+        [session, view, made] {
+            exportMotion(session->session(), session->writing(), made(), view->window());
         },
         writable);
     for (auto signal : {&KeySession::stateChanged, &KeySession::chosen, &KeySession::motionChanged,
                         &KeySession::draftChanged, &KeySession::libraryChanged})
         QObject::connect(session, signal, &commands, &CommandTable::refresh);
+    QObject::connect(tool, &HitSession::changed, &commands, &CommandTable::refresh);
 }
 
 }  // namespace kumite::studio

@@ -9,15 +9,19 @@
 #include <utility>
 
 #include "studio/app/commands.h"
+#include "studio/workspaces/keyframe/hit_box.h"
+#include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/motion_box.h"
 #include "studio/workspaces/keyframe/pose_box.h"
 
 namespace kumite::studio {
 
-KeyPanel::KeyPanel(KeySession& keys, QWidget* parent)
+KeyPanel::KeyPanel(KeySession& keys, HitSession& hit, QWidget* parent)
     : QStackedWidget(parent),
       keys_(keys),
+      hit_(hit),
+      tools_(new QStackedWidget(this)),
       buttons_(new QHBoxLayout),
       empty_(new QWidget(this)),
       full_(new QWidget(this)),
@@ -33,18 +37,38 @@ KeyPanel::KeyPanel(KeySession& keys, QWidget* parent)
     auto* layout = new QVBoxLayout(full_);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(10);
-    layout->addWidget(new PoseBox(keys_, full_));
-    layout->addWidget(new MotionBox(keys_, full_), 1);
+    auto* made = new QWidget(tools_);
+    auto* parts = new QVBoxLayout(made);
+    parts->setContentsMargins(0, 0, 0, 0);
+    parts->setSpacing(10);
+    parts->addWidget(new PoseBox(keys_, made));
+    parts->addWidget(new MotionBox(keys_, made), 1);
+    tools_->addWidget(made);
+    tools_->addWidget(new HitBox(hit_, tools_));
+    layout->addWidget(tools_, 1);
     buttons_->setSpacing(4);
     layout->addLayout(buttons_);
     addWidget(empty_);
     addWidget(full_);
     connect(&keys_, &KeySession::libraryChanged, this, &KeyPanel::refresh);
     connect(&keys_, &KeySession::stateChanged, this, &KeyPanel::refresh);
+    connect(&hit_, &HitSession::changed, this, &KeyPanel::refresh);
     refresh();
 }
 
 void KeyPanel::addCommands(CommandTable& commands) {
+    auto* tool = new QPushButton(tr("Hit a target"), full_);
+    tool->setCheckable(true);
+    tool->setFocusPolicy(Qt::TabFocus);
+    tool->setToolTip(tr("A strike of the takes and clips that follows a target, instead of keys"));
+    commands.tellKey(tool, QStringLiteral("keys.hit"));
+    connect(tool, &QPushButton::clicked, commands.action(QStringLiteral("keys.hit")),
+            &QAction::trigger);
+    connect(&hit_, &HitSession::changed, tool, [this, tool] {
+        tool->setChecked(hit_.isOn());
+        tool->setText(hit_.isOn() ? tr("Back to the keys") : tr("Hit a target"));
+    });
+    static_cast<QVBoxLayout*>(full_->layout())->insertWidget(0, tool);
     const std::pair<const char*, QString> all[] = {
         {"keys.clips", tr("Clips…")}, {"keys.keep", tr("Keep…")}, {"keys.export", tr("Export…")}};
     for (const auto& [id, text] : all) {
@@ -73,6 +97,7 @@ void KeyPanel::refresh() {
                                       "the takes and clips: it appears here."));
     for (auto* button : empty_->findChildren<QPushButton*>())
         button->setVisible(!why.isEmpty());
+    tools_->setCurrentIndex(hit_.isOn() ? 1 : 0);
     setCurrentWidget(keys_.library() == nullptr ? empty_ : full_);
 }
 

@@ -10,15 +10,17 @@ class QLabel;
 namespace kumite::studio {
 
 class CommandTable;
+class HitSession;
 class KeySession;
 
-/// The Keyframe workspace's panel: the chosen key's pose and the motion that the keys become; or
+/// The Keyframe workspace's panel: the chosen key's pose and the motion that the keys become, or
+/// the hit tool; or
 /// what to do where there is nothing to make it of.
 class KeyPanel : public QStackedWidget {
     Q_OBJECT
 
 public:
-    explicit KeyPanel(KeySession& keys, QWidget* parent = nullptr);
+    KeyPanel(KeySession& keys, HitSession& hit, QWidget* parent = nullptr);
 
     /// Buttons that run commands of the table.
     void addCommands(CommandTable& commands);
@@ -29,6 +31,8 @@ private:
     void refresh();
 
     KeySession& keys_;
+    HitSession& hit_;
+    QStackedWidget* tools_;  ///< keys, or the hit tool
     QHBoxLayout* buttons_;
     QWidget* empty_;
     QWidget* full_;

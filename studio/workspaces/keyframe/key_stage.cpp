@@ -1,29 +1,37 @@
 #include "studio/workspaces/keyframe/key_stage.h"
 
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
 
-KeyStage::KeyStage(KeySession& keys, StageView& stage, QObject* parent)
-    : QObject(parent), keys_(keys), stage_(stage) {
+KeyStage::KeyStage(KeySession& keys, HitSession& hit, StageView& stage, QObject* parent)
+    : QObject(parent), keys_(keys), hit_(hit), stage_(stage) {
+    connect(&hit_, &HitSession::changed, this, &KeyStage::show);
+    connect(&hit_, &HitSession::moved, this, &KeyStage::show);
     connect(&keys_, &KeySession::libraryChanged, this, &KeyStage::begin);
     connect(&keys_, &KeySession::stateChanged, this, &KeyStage::begin);
     connect(&keys_, &KeySession::moved, this, &KeyStage::show);
     connect(&keys_, &KeySession::chosen, this, &KeyStage::show);
     connect(&stage_, &StageView::handlePressed, this,
             [this](int index, Qt::KeyboardModifiers modifiers) {
-                if (!isShown()) return;
+                if (!isShown() || hit_.isOn()) return;
                 const Handle handle = handles_[static_cast<std::size_t>(index)];
                 keys_.setHandle(handle);
                 if (modifiers & Qt::ControlModifier) keys_.setPinned(handle, !keys_.pins()[handle]);
             });
     connect(&stage_, &StageView::handleDragged, this,
             [this](int index, const Eigen::Vector3d& place) {
-                if (isShown()) keys_.drag(handles_[static_cast<std::size_t>(index)], place);
+                if (!isShown()) return;
+                if (hit_.isOn()) {
+                    hit_.setTarget(place);
+                } else {
+                    keys_.drag(handles_[static_cast<std::size_t>(index)], place);
+                }
             });
     connect(&stage_, &StageView::handleReleased, this, [this] {
-        if (isShown()) keys_.release();
+        if (isShown() && !hit_.isOn()) keys_.release();
     });
 }
 
@@ -50,13 +58,21 @@ void KeyStage::show() {
     if (!isShown()) return;
     std::array<FigurePose, 2> poses;
     std::vector<StageHandle> handles;
+    std::vector<StageBox> boxes;
     handles_.clear();
-    if (const Pose* pose = keys_.pose(); pose != nullptr) {
+    const Pose* pose = hit_.isOn() ? hit_.pose() : keys_.pose();
+    if (hit_.isOn() && hit_.space() != nullptr) {
+        handles.push_back({hit_.target(), true, false});
+        boxes.push_back({hit_.space()->natural.low, hit_.space()->natural.high, true});
+        boxes.push_back({hit_.reach().low, hit_.reach().high, false});
+    }
+    if (pose != nullptr) {
         JointFrames frames;
         jointFrames(*library_->rig, *pose, frames);
         for (const Eigen::Vector3d& joint : frames.positions)
             poses[0].joints.push_back(joint.cast<float>());
         for (const Handle handle : allHandles()) {
+            if (hit_.isOn()) break;
             const auto at =
                 keys_.isEditable() ? handlePoint(*library_->rig, *pose, handle) : std::nullopt;
             if (!at) continue;
@@ -66,7 +82,7 @@ void KeyStage::show() {
     }
     const bool empty = poses[0].joints.empty();
     stage_.showLive(std::move(poses));
-    stage_.setHandles(std::move(handles));
+    stage_.setHandles(std::move(handles), std::move(boxes));
     if (!empty && !framed_) {
         stage_.frameAll();
         framed_ = true;

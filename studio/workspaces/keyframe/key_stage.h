@@ -10,16 +10,18 @@
 
 namespace kumite::studio {
 
+class HitSession;
 class KeySession;
 class StageView;
 
 /// Shows keys and motion in the 3D view in the take's place while the Keyframe workspace is shown,
-/// and leads what a hand draws at the figure's handles to the chosen key.
+/// and leads what a hand draws at the
+/// figure's handles to the chosen key, or at the target to the hit tool.
 class KeyStage : public QObject {
     Q_OBJECT
 
 public:
-    KeyStage(KeySession& keys, StageView& stage, QObject* parent);
+    KeyStage(KeySession& keys, HitSession& hit, StageView& stage, QObject* parent);
 
 private:
     void begin();
@@ -27,6 +29,7 @@ private:
     bool isShown() const;
 
     KeySession& keys_;
+    HitSession& hit_;
     StageView& stage_;
     std::shared_ptr<const MotionLibrary> library_;  ///< whose figure is shown; null: none is
     std::vector<Handle> handles_;                   ///< those that the view has, in its order

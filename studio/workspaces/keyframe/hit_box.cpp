@@ -1,0 +1,101 @@
+#include "studio/workspaces/keyframe/hit_box.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "studio/app/panel_parts.h"
+#include "studio/workspaces/keyframe/hit_session.h"
+
+namespace kumite::studio {
+
+HitBox::HitBox(HitSession& hit, QWidget* parent)
+    : QWidget(parent), hit_(hit), strike_(new QComboBox(this)), text_(new QLabel(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(headingLabel(tr("Hit a target"), this));
+    auto* about = new QLabel(tr("Drag the target in the 3D view: the strike follows it."), this);
+    about->setWordWrap(true);
+    about->setProperty("role", "second");
+    layout->addWidget(about);
+    auto* form = new QFormLayout;
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setHorizontalSpacing(8);
+    form->setVerticalSpacing(4);
+    strike_->setAccessibleName(tr("Strike"));
+    strike_->setToolTip(tr("Which strike; its examples are the actions with that label"));
+    strike_->setMinimumContentsLength(8);
+    strike_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    form->addRow(tr("Strike"), strike_);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    const QString axes[] = {tr("to the left"), tr("up"), tr("ahead")};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        auto* field = new QDoubleSpinBox(this);
+        field->setRange(-3, 3);
+        field->setDecimals(2);
+        field->setSingleStep(0.02);
+        field->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        field->setKeyboardTracking(false);
+        field->setMinimumWidth(10);
+        field->setAccessibleName(tr("Target, metres %1").arg(axes[axis]));
+        field->setToolTip(field->accessibleName());
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this] {
+            hit_.setTarget({place_[0]->value(), place_[1]->value(), place_[2]->value()});
+        });
+        row->addWidget(field, 1);
+        place_[axis] = field;
+    }
+    form->addRow(tr("Target, m"), row);
+    layout->addLayout(form);
+    text_->setWordWrap(true);
+    text_->setAccessibleName(tr("How well it is hit"));
+    layout->addWidget(text_);
+    layout->addStretch(1);
+    connect(strike_, &QComboBox::activated, this, [this](int index) {
+        hit_.setStrike(strike_->itemData(index).toString().toStdString());
+    });
+    connect(&hit_, &HitSession::changed, this, &HitBox::refresh);
+    refresh();
+}
+
+void HitBox::refresh() {
+    const QSignalBlocker quiet(strike_);
+    strike_->clear();
+    for (const std::string& strike : hit_.strikes())
+        strike_->addItem(hit_.nameOf(strike), QString::fromStdString(strike));
+    strike_->setCurrentIndex(strike_->findData(QString::fromStdString(hit_.strike())));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const QSignalBlocker still(place_[axis]);
+        place_[axis]->setEnabled(hit_.space() != nullptr);
+        place_[axis]->setValue(hit_.target()[static_cast<int>(axis)]);
+    }
+    if (!hit_.problem().isEmpty()) {
+        text_->setText(hit_.problem());
+        return;
+    }
+    if (hit_.space() == nullptr) {
+        text_->setText(hit_.jobs().isRunning() ? tr("The strikes are being aligned.") : QString());
+        return;
+    }
+    const auto& motion = hit_.motion();
+    if (!motion) return text_->setText({});
+    const QString error = QString::number(100 * motion->error, 'f', 1);
+    const QString where =
+        motion->solution.insideNaturalRegion ? tr("A blend of whole examples reaches it.")
+        : hit_.reach().contains(hit_.target())
+            ? tr("No blend of whole examples reaches it: parts of the body are blended and turned.")
+            : tr("It is outside of the box that is reached.");
+    text_->setText((motion->hits ? tr("Hit, %1 cm off. %2 %3 examples.")
+                                 : tr("Missed by %1 cm: the nearest that can be reached. %2 %3 "
+                                      "examples."))
+                       .arg(error, where)
+                       .arg(hit_.space()->examples.size()));
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,177 @@
+#include "studio/workspaces/keyframe/hit_session.h"
+
+#include <algorithm>
+#include <exception>
+
+#include "core/labelling/label.h"
+#include "core/motion/blend.h"
+#include "core/project/library_strikes.h"
+#include "studio/workspaces/keyframe/key_session.h"
+
+namespace kumite::studio {
+
+namespace {
+constexpr int kTick = 16;  // milliseconds
+}
+
+HitSession::HitSession(KeySession& keys, QObject* parent) : QObject(parent), keys_(keys) {
+    timer_.setTimerType(Qt::PreciseTimer);
+    timer_.setInterval(kTick);
+    connect(&timer_, &QTimer::timeout, this, &HitSession::advance);
+    connect(&keys_, &KeySession::libraryChanged, this, &HitSession::takeLibrary);
+    connect(&keys_, &KeySession::stateChanged, this, [this] {
+        if (!keys_.isActive()) setPlaying(false);
+    });
+    connect(&jobs_, &JobRunner::failed, this, &HitSession::failed);
+    connect(&jobs_, &JobRunner::started, this, &HitSession::changed);
+    connect(&jobs_, &JobRunner::finished, this, &HitSession::changed);
+}
+
+void HitSession::setOn(bool on) {
+    if (on == on_) return;
+    on_ = on;
+    if (on_) {
+        keys_.setPlaying(false);
+        if (strikes_.empty()) takeLibrary();
+        if (ready_ == nullptr) prepare();
+    } else {
+        setPlaying(false);
+    }
+    Q_EMIT changed();
+    show();
+}
+
+QString HitSession::nameOf(const std::string& strike) const {
+    const Vocabulary& vocabulary = *keys_.session().document().project().labelling.vocabulary;
+    const auto aspect = vocabulary.find(strike);
+    return QString::fromStdString(aspect ? vocabulary[*aspect].name : strike);
+}
+
+/// Aspects that strike and that some action has; without labels whole clips and takes.
+void HitSession::takeLibrary() {
+    jobs_.cancel();
+    ready_.reset();
+    motion_.reset();
+    strikes_.clear();
+    const auto library = keys_.motions();
+    if (library != nullptr) {
+        const Vocabulary& vocabulary = *keys_.session().document().project().labelling.vocabulary;
+        for (const Aspect& aspect : vocabulary.aspects) {
+            const bool has = std::any_of(
+                library->actions.begin(), library->actions.end(), [&](const LibraryAction& action) {
+                    return action.label.find(aspect.id + ":") != std::string::npos;
+                });
+            if (!aspect.strike.empty() && has) strikes_.push_back(aspect.id);
+        }
+        if (strikes_.empty()) {
+            for (const LibraryMotion& motion : library->motions)
+                strikes_.push_back(motion.name);
+        }
+    }
+    if (std::find(strikes_.begin(), strikes_.end(), strike_) == strikes_.end())
+        strike_ = strikes_.empty() ? std::string() : strikes_.front();
+    if (on_) prepare();
+    Q_EMIT changed();
+}
+
+void HitSession::setStrike(const std::string& strike) {
+    if (strike == strike_) return;
+    strike_ = strike;
+    ready_.reset();
+    motion_.reset();
+    prepare();
+    Q_EMIT changed();
+    show();
+}
+
+void HitSession::prepare() {
+    problem_.clear();
+    const auto library = keys_.motions();
+    if (library == nullptr || strike_.empty()) return;
+    struct Result {
+        std::shared_ptr<const Ready> ready;
+        QString problem;
+    };
+    jobs_.start(
+        tr("Aligning the strikes"),
+        [library, strike = strike_](const Progress& progress) {
+            Result result;
+            try {
+                StrikeRequest request;
+                request.strike = strike;
+                auto ready = std::make_shared<Ready>();
+                ready->space = strikeSpace(strikesOf(*library, request), {}, progress.part(0, 0.6));
+                ready->reach = extendedBox(ready->space, {}, 0.05, 0.3, progress.part(0.6, 1));
+                result.ready = std::move(ready);
+            } catch (const Cancelled&) {
+                throw;
+            } catch (const std::exception& error) {
+                result.problem = QString::fromUtf8(error.what());
+            }
+            return result;
+        },
+        [this](Result result) {
+            ready_ = std::move(result.ready);
+            problem_ = result.problem;
+            if (ready_ != nullptr) {
+                const auto& space = ready_->space;
+                target_ = space.examples[static_cast<std::size_t>(space.reference)].point;
+                solve();
+            }
+            Q_EMIT changed();
+            show();
+        });
+}
+
+void HitSession::setTarget(const Eigen::Vector3d& target) {
+    target_ = target;
+    target_.y() = std::clamp(target_.y(), 0.0, 2.5);
+    setPlaying(false);
+    solve();
+    Q_EMIT changed();
+    show();
+}
+
+/// A few milliseconds: at once, so that the figure follows the hand.
+void HitSession::solve() {
+    motion_.reset();
+    if (ready_ == nullptr) return;
+    try {
+        motion_ = hitTarget(ready_->space, target_);
+        seconds_ = motion_->hit / motion_->clip.rate;
+    } catch (const std::exception& error) {
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+}
+
+MadeMotion HitSession::madeMotion() const {
+    return {keys_.motions(), std::make_shared<const Clip>(motion_->clip), QStringLiteral("hit")};
+}
+
+void HitSession::setPlaying(bool playing) {
+    if (playing == isPlaying() || (playing && !motion_)) return;
+    if (playing) {
+        seconds_ = 0;
+        clock_.start();
+        timer_.start();
+    } else {
+        timer_.stop();
+        if (motion_) seconds_ = motion_->hit / motion_->clip.rate;
+    }
+    Q_EMIT changed();
+    show();
+}
+
+void HitSession::advance() {
+    seconds_ += 1e-3 * static_cast<double>(clock_.restart());
+    if (!motion_ || seconds_ > motion_->clip.seconds()) seconds_ = 0;
+    show();
+}
+
+void HitSession::show() {
+    shown_.reset();
+    if (on_ && motion_) shown_ = poseAt(motion_->clip, std::min(seconds_, motion_->clip.seconds()));
+    Q_EMIT moved();
+}
+
+}  // namespace kumite::studio

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QStringList>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/editing/hit_region.h"
+#include "studio/jobs/job_runner.h"
+#include "studio/workspaces/made_motion.h"
+
+namespace kumite::studio {
+
+class KeySession;
+
+/// The hit tool of the Keyframe workspace: a strike of the library that is made to hit a target,
+/// live while the target is dragged. The space of a strike is made beside the window.
+class HitSession : public QObject {
+    Q_OBJECT
+
+public:
+    explicit HitSession(KeySession& keys, QObject* parent = nullptr);
+
+    JobRunner& jobs() { return jobs_; }
+    bool isOn() const { return on_; }
+    void setOn(bool on);
+
+    /// Aspects of the vocabulary that the library's labels have as strikes, and clips that strike.
+    const std::vector<std::string>& strikes() const { return strikes_; }
+    QString nameOf(const std::string& strike) const;
+    const std::string& strike() const { return strike_; }
+    void setStrike(const std::string& strike);
+    /// Why there is nothing to strike with; else empty.
+    QString problem() const { return problem_; }
+
+    const StrikeSpace* space() const { return ready_ ? &ready_->space : nullptr; }
+    /// What partial blending reaches.
+    const Box& reach() const { return ready_->reach; }
+    /// In the striker's frame, metres.
+    const Eigen::Vector3d& target() const { return target_; }
+    void setTarget(const Eigen::Vector3d& target);
+    const std::optional<HitMotion>& motion() const { return motion_; }
+    MadeMotion madeMotion() const;
+
+    /// The shown pose; null where there is none.
+    const Pose* pose() const { return shown_ ? &*shown_ : nullptr; }
+    bool isPlaying() const { return timer_.isActive(); }
+    void setPlaying(bool playing);
+
+Q_SIGNALS:
+    void changed();
+    void moved();
+    void failed(const QString& sentence);
+
+private:
+    struct Ready {
+        StrikeSpace space;
+        Box reach;
+    };
+
+    void takeLibrary();
+    void prepare();
+    void solve();
+    void advance();
+    void show();
+
+    KeySession& keys_;
+    JobRunner jobs_;
+    QTimer timer_;
+    QElapsedTimer clock_;
+    bool on_ = false;
+    std::vector<std::string> strikes_;
+    std::string strike_;
+    QString problem_;
+    std::shared_ptr<const Ready> ready_;
+    Eigen::Vector3d target_ = Eigen::Vector3d::Zero();
+    std::optional<HitMotion> motion_;
+    double seconds_ = 0;
+    std::optional<Pose> shown_;
+};
+
+}  // namespace kumite::studio
