@@ -1,8 +1,11 @@
 // The Sequence workspace in the real window: actions strung together by keys and mouse.
 
+#include <QApplication>
+#include <QDropEvent>
 #include <QFileInfo>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -166,6 +169,35 @@ TEST_F(SequenceTest, BlocksAreDraggedAndTrimmedByTheMouse) {
     // The ruler scrubs.
     QTest::mouseClick(&strip(), Qt::LeftButton, {}, QPoint(middleOf(1).x(), 6));
     EXPECT_NEAR(sequence().seconds(), strip().mapping().timeAt(middleOf(1).x()), 0.02);
+}
+
+TEST_F(SequenceTest, AnActionIsDroppedBetweenBlocksAndItLoops) {
+    openWorkspace();
+    addActions(2);
+    const auto added = clips();
+    strip().showAll();
+    const std::unique_ptr<QMimeData> dragged(
+        panel().table().model()->mimeData({panel().table().model()->index(5, 0)}));
+    const QPointF between(strip().rectOf(pieceOf(1)).left() + 2, middleOf(1).y());
+    QDragEnterEvent enter(between.toPoint(), Qt::CopyAction, dragged.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(&strip(), &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(between, Qt::CopyAction, dragged.get(), Qt::LeftButton, {});
+    QApplication::sendEvent(&strip(), &drop);
+    settle();
+    ASSERT_EQ(clips().size(), 3U);
+    EXPECT_EQ(clips()[0], added[0]);
+    EXPECT_EQ(clips()[2], added[1]);
+    window_->stage().setFocus();
+    press(Qt::Key_L);
+    EXPECT_TRUE(sequence().isLooping());
+    sequence().seek(sequence().length() - 0.05);
+    press(Qt::Key_Space);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return sequence().isPlaying() && sequence().seconds() < 0.5 * sequence().length(); },
+        5000))
+        << "from the end to the start again";
+    press(Qt::Key_Space);
 }
 
 TEST_F(SequenceTest, ATransitionIsTakenAnotherWayDrawnAnewAndLocked) {

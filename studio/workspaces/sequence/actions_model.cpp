@@ -1,5 +1,7 @@
 #include "studio/workspaces/sequence/actions_model.h"
 
+#include <QMimeData>
+
 #include <algorithm>
 
 #include "studio/app/words.h"
@@ -75,6 +77,18 @@ QVariant ActionsModel::data(const QModelIndex& index, int role) const {
         default:
             return QString::number(action.frames.size() / library.rate, 'f', 1);
     }
+}
+
+Qt::ItemFlags ActionsModel::flags(const QModelIndex& index) const {
+    return QAbstractTableModel::flags(index) | Qt::ItemIsDragEnabled;
+}
+
+QMimeData* ActionsModel::mimeData(const QModelIndexList& indexes) const {
+    auto* data = new QMimeData;
+    if (!indexes.isEmpty())
+        data->setData(QLatin1String(kMimeType),
+                      QByteArray::fromStdString(at(indexes.front().row()).name));
+    return data;
 }
 
 QVariant ActionsModel::headerData(int section, Qt::Orientation orientation, int role) const {

@@ -16,6 +16,9 @@ class ActionsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
+    /// What is dragged: an action's name, UTF-8.
+    static constexpr const char* kMimeType = "application/x-kumite-action";
+
     enum Column { TitleColumn, PlaceColumn, SecondsColumn };
 
     explicit ActionsModel(const SequenceSession& sequence, QObject* parent = nullptr);
@@ -27,6 +30,9 @@ public:
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    QStringList mimeTypes() const override { return {QLatin1String(kMimeType)}; }
+    QMimeData* mimeData(const QModelIndexList& indexes) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:

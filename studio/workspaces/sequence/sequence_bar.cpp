@@ -16,8 +16,8 @@ SequenceBar::SequenceBar(SequenceSession& sequence, CommandTable& commands, QWid
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);
-    for (const char* command :
-         {"sequence.start", "sequence.back", "sequence.play", "sequence.on", "sequence.end"})
+    for (const char* command : {"sequence.start", "sequence.back", "sequence.play", "sequence.on",
+                                "sequence.end", "sequence.loop"})
         layout->addWidget(iconButton(commands, command, this));
     layout->addSpacing(10);
     showAsClock(time_, tr("Time of the sequence"));

@@ -55,6 +55,14 @@ void addPlayback(CommandTable& commands, SequenceSession* sequence) {
     step(
         "sequence.end", text("To the end"), {QKeySequence("End")},
         [sequence] { sequence->seek(sequence->length()); }, "to_end", menu);
+    commands.add({"sequence.loop",
+                  menu,
+                  text("Play it &over and over"),
+                  {QKeySequence("L")},
+                  [sequence] { sequence->setLooping(!sequence->isLooping()); },
+                  still,
+                  [sequence] { return sequence->isLooping(); },
+                  "loop"});
     commands.add(
         {"sequence.live",
          group,

@@ -56,6 +56,8 @@ SequencePanel::SequencePanel(SequenceSession& sequence, QWidget* parent)
     table_->setAccessibleName(tr("Actions to choose from"));
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setDragEnabled(true);
+    table_->setDragDropMode(QAbstractItemView::DragOnly);
     table_->setShowGrid(false);
     table_->setTabKeyNavigation(false);
     table_->setWordWrap(false);

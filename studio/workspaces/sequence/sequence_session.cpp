@@ -414,7 +414,7 @@ void SequenceSession::advance() {
     }
     seconds_ += passed;
     if (seconds_ > length()) {
-        if (showing_ == Showing::Action) {
+        if (showing_ == Showing::Action || looping_) {
             seconds_ = 0;
         } else {
             seconds_ = length();

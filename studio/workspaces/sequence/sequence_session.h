@@ -121,6 +121,12 @@ public:
     void step(int frames);
     bool isPlaying() const { return timer_.isActive(); }
     void setPlaying(bool playing);
+    /// From the end to the start again.
+    bool isLooping() const { return looping_; }
+    void setLooping(bool on) {
+        looping_ = on;
+        Q_EMIT stateChanged();
+    }
 
 Q_SIGNALS:
     /// Another library, or none.
@@ -150,6 +156,7 @@ private:
     QElapsedTimer clock_;
     bool active_ = false;
     bool map_ = false;
+    bool looping_ = false;
     std::shared_ptr<const SequenceSource> source_;
     SequenceDraft draft_, shownDraft_;
     std::shared_ptr<const SequenceMotion> motion_;

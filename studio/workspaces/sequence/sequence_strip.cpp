@@ -1,5 +1,7 @@
 #include "studio/workspaces/sequence/sequence_strip.h"
 
+#include <QDropEvent>
+#include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -10,6 +12,7 @@
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/timeline/wheel.h"
+#include "studio/workspaces/sequence/actions_model.h"
 #include "studio/workspaces/sequence/sequence_session.h"
 
 namespace kumite::studio {
@@ -26,6 +29,7 @@ SequenceStrip::SequenceStrip(SequenceSession& sequence, QWidget* parent)
     : QWidget(parent), sequence_(sequence) {
     setAccessibleName(tr("Blocks of the sequence"));
     setMouseTracking(true);
+    setAcceptDrops(true);
     setMinimumHeight(90);
     connect(&sequence_, &SequenceSession::motionChanged, this, [this] {
         if (sequence_.motion() != nullptr && sequence_.motion()->clip.seconds() > begin_ + length_)
@@ -206,6 +210,32 @@ int SequenceStrip::placeAt(double x) const {
             place = piece.block + (piece.block < block_ ? 1 : 0);
     }
     return place;
+}
+
+int SequenceStrip::placeOfNew(double x) const {
+    int place = 0;
+    if (sequence_.motion() == nullptr) return place;
+    for (const SequencePiece& piece : sequence_.motion()->pieces) {
+        if (!piece.transition && x > rectOf(piece).center().x()) place = piece.block + 1;
+    }
+    return place;
+}
+
+void SequenceStrip::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasFormat(QLatin1String(ActionsModel::kMimeType)))
+        event->acceptProposedAction();
+}
+
+void SequenceStrip::dropEvent(QDropEvent* event) {
+    const std::string name =
+        event->mimeData()->data(QLatin1String(ActionsModel::kMimeType)).toStdString();
+    if (sequence_.library() == nullptr) return;
+    for (const LibraryAction& action : sequence_.library()->actions) {
+        if (action.name != name) continue;
+        sequence_.insert(action, placeOfNew(event->position().x()));
+        event->acceptProposedAction();
+        return;
+    }
 }
 
 void SequenceStrip::trim(double x) {

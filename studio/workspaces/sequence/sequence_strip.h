@@ -13,7 +13,8 @@ class SequenceSession;
 
 /// The blocks of the sequence over time, the transitions between them, and the playhead. A click
 /// chooses a block or a transition, a drag moves a block to another place, a drag of its edge trims
-/// it, a drag of the ruler scrubs; the wheel scrolls, with Ctrl it zooms.
+/// it, a drag of the ruler scrubs, an action that is dropped is added; the wheel scrolls, with Ctrl
+/// it zooms.
 class SequenceStrip : public QWidget {
     Q_OBJECT
 
@@ -34,6 +35,8 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     enum class Drag { None, Press, Scrub, Move, TrimBegin, TrimEnd };
@@ -44,6 +47,8 @@ private:
     std::optional<std::pair<int, bool>> edgeAt(const QPointF& position) const;
     /// Where a dragged block would come to stand.
     int placeAt(double x) const;
+    /// Before which block an action that is dropped there comes.
+    int placeOfNew(double x) const;
     void trim(double x);
     void tell(const QPointF& position);
     void follow();
