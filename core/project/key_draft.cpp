@@ -48,11 +48,10 @@ KeyDraft parseKeyDraft(std::string_view text, const std::string& file,
     const JsonReader reader(json, file, "");
     if (!reader.has("track")) throw reader.error("\"track\" is missing");
     KeyDraft draft;
-    draft.track = parseKeys(json["track"].dump(), file, std::move(rig),
-                            [](const std::string& clip, int) -> Pose {
-                                throw Error("the key pose of clip \"" + clip +
-                                            "\" is not in the project");
-                            });
+    draft.track = parseKeys(
+        json["track"].dump(), file, std::move(rig), [](const std::string& clip, int) -> Pose {
+            throw Error("the key pose of clip \"" + clip + "\" is not in the project");
+        });
     if (reader.has("body")) draft.body = reader["body"].text();
     if (reader.has("parts")) {
         for (const std::string& name : reader["parts"].keys()) {
