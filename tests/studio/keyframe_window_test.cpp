@@ -216,7 +216,7 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
     settle();
     window_->stage().setFocus();
     press(Qt::Key_S);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->hit().motion().has_value(); }, 20000))
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->hit().motion().has_value(); }, 60000))
         << window_->hit().problem().toStdString();
     HitSession& hit = window_->hit();
     EXPECT_TRUE(hit.motion()->hits);
