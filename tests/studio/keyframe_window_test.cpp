@@ -140,6 +140,10 @@ TEST_F(KeyframeTest, KeysAreMovedCopiedMirroredAndSaved) {
     press(Qt::Key_Right, Qt::AltModifier);
     settle();
     EXPECT_EQ(frames()[1], moved + 1);
+    keys().moveKey(frames()[1], 60);
+    settle();
+    EXPECT_EQ(frames().size(), 3U) << "no key gives way to another";
+    EXPECT_EQ(frames()[1], moved + 1);
     press(Qt::Key_D, Qt::ControlModifier);
     settle();
     EXPECT_EQ(frames().size(), 4U);
@@ -233,6 +237,14 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
     EXPECT_GT(hit.target().y(), before.y());
     ASSERT_TRUE(hit.motion());
     EXPECT_LT((hit.motion()->reached - hit.target()).norm(), 0.05);
+    // Keeping it changes the project and so the library; the target stays.
+    const Eigen::Vector3d aimed = hit.target();
+    keepMotionAs(session(), keys().writing(), hit.madeMotion(), file("hit.bvh"));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return session().document().project().takes.size() == 2; }, 10000));
+    settle();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hit.motion().has_value(); }, 20000));
+    EXPECT_EQ(hit.target(), aimed);
     // Far outside of what can be reached: it says so, and the nearest is shown.
     hit.setTarget({2.5, 2.4, -2.0});
     ASSERT_TRUE(hit.motion());

@@ -45,8 +45,11 @@ HitBox::HitBox(HitSession& hit, QWidget* parent)
         field->setMinimumWidth(10);
         field->setAccessibleName(tr("Target, metres %1").arg(axes[axis]));
         field->setToolTip(field->accessibleName());
-        connect(field, &QDoubleSpinBox::valueChanged, this, [this] {
-            hit_.setTarget({place_[0]->value(), place_[1]->value(), place_[2]->value()});
+        connect(field, &QDoubleSpinBox::valueChanged, this, [this, axis](double metres) {
+            // The other two stay exactly: the fields round.
+            Eigen::Vector3d target = hit_.target();
+            target[static_cast<int>(axis)] = metres;
+            hit_.setTarget(target);
         });
         row->addWidget(field, 1);
         place_[axis] = field;

@@ -68,8 +68,10 @@ void HitSession::takeLibrary() {
                 strikes_.push_back(motion.name);
         }
     }
-    if (std::find(strikes_.begin(), strikes_.end(), strike_) == strikes_.end())
+    if (std::find(strikes_.begin(), strikes_.end(), strike_) == strikes_.end()) {
         strike_ = strikes_.empty() ? std::string() : strikes_.front();
+        aimed_ = false;
+    }
     if (on_) prepare();
     Q_EMIT changed();
 }
@@ -77,6 +79,7 @@ void HitSession::takeLibrary() {
 void HitSession::setStrike(const std::string& strike) {
     if (strike == strike_) return;
     strike_ = strike;
+    aimed_ = false;
     ready_.reset();
     motion_.reset();
     prepare();
@@ -115,7 +118,10 @@ void HitSession::prepare() {
             problem_ = result.problem;
             if (ready_ != nullptr) {
                 const auto& space = ready_->space;
-                target_ = space.examples[static_cast<std::size_t>(space.reference)].point;
+                // An edit of the project brings another library: the target stays.
+                if (!aimed_)
+                    target_ = space.examples[static_cast<std::size_t>(space.reference)].point;
+                aimed_ = true;
                 solve();
             }
             Q_EMIT changed();

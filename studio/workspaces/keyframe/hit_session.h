@@ -71,6 +71,7 @@ private:
 
     KeySession& keys_;
     JobRunner jobs_;
+    bool aimed_ = false;  ///< the target is for this strike: another library leaves it
     QTimer timer_;
     QElapsedTimer clock_;
     bool on_ = false;

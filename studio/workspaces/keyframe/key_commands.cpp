@@ -17,7 +17,7 @@ QString text(const char* source) {
     return QApplication::translate("kumite::studio::KeyCommands", source);
 }
 
-/// The chosen handle, one centimetre on.
+/// The chosen handle, a little way on.
 void nudge(KeySession& keys, const Eigen::Vector3d& way) {
     if (!keys.isEditable() || keys.pose() == nullptr) return;
     const auto at = handlePoint(*keys.draft().track.rig, *keys.pose(), keys.handle());
@@ -141,7 +141,7 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, S
             session->change(text("Take the body from anywhere"),
                             [](KeyDraft& draft) { draft.body.clear(); });
         },
-        [session] { return !session->draft().body.empty(); });
+        [session, ready] { return ready() && !session->draft().body.empty(); });
     add(
         "keys.clear", menu, text("Remove all keys"), {}, [session] { session->clear(); }, any);
     const auto open = [session] { return session->session().document().isOpen(); };

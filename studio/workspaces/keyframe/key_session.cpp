@@ -272,6 +272,10 @@ void KeySession::removeKey() {
 
 void KeySession::moveKey(int from, int to) {
     if (from == to || to < 0) return;
+    if (draft_.track.find(to)) {
+        Q_EMIT session_.hinted(tr("A key stands at frame %1 already.").arg(to));
+        return;
+    }
     change(tr("Move the key to frame %1").arg(to),
            [&](KeyDraft& draft) { draft.track = withMovedKey(std::move(draft.track), from, to); });
     choose(to);

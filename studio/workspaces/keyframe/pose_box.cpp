@@ -97,7 +97,8 @@ PoseBox::PoseBox(KeySession& keys, QWidget* parent)
         field->setMinimumWidth(10);
         field->setAccessibleName(tr("Place, %1 in metres").arg(QLatin1String(axes[axis])));
         field->setToolTip(tr("%1, metres; y is up").arg(QLatin1String(axes[axis])));
-        connect(field, &QDoubleSpinBox::valueChanged, this, &PoseBox::place);
+        connect(field, &QDoubleSpinBox::valueChanged, this,
+                [this, axis](double metres) { place(static_cast<int>(axis), metres); });
         row->addWidget(field, 1);
         place_[axis] = field;
     }
@@ -148,9 +149,13 @@ void PoseBox::refresh() {
     }
 }
 
-void PoseBox::place() {
-    if (!keys_.isEditable()) return;
-    keys_.place(keys_.handle(), {place_[0]->value(), place_[1]->value(), place_[2]->value()});
+void PoseBox::place(int axis, double metres) {
+    if (!keys_.isEditable() || keys_.pose() == nullptr) return;
+    // The other two stay exactly: the fields round.
+    auto at = handlePoint(*keys_.draft().track.rig, *keys_.pose(), keys_.handle());
+    if (!at) return;
+    (*at)[axis] = metres;
+    keys_.place(keys_.handle(), *at);
 }
 
 }  // namespace kumite::studio

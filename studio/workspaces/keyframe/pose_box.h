@@ -23,7 +23,7 @@ public:
 
 private:
     void refresh();
-    void place();
+    void place(int axis, double metres);
 
     KeySession& keys_;
     QLabel* text_;
