@@ -161,7 +161,7 @@ void CommandTable::tellKey(QWidget* widget, const QString& id) {
 void CommandTable::refresh() {
     for (std::size_t i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
-        actions_[i]->setVisible(command.isOf(workspace_));
+        actions_[i]->setVisible(command.isOf(workspace_) && (!command.shown || command.shown()));
         actions_[i]->setEnabled(isEnabled(command));
         if (command.checked) actions_[i]->setChecked(command.checked());
     }

@@ -60,6 +60,7 @@ public:
     /// Writes beside the window and waits for it; false: not saved, and said why.
     bool saveTo(const QString& path);
     void askForExport();
+    void askForMotionExport();
     /// Writes beside the window; `reported` tells the end.
     void exportTo(const QString& path);
     /// Lists the states of the project that were saved over.
@@ -77,9 +78,10 @@ Q_SIGNALS:
     void reported(const QString& text);
 
 private:
+    /// Where an export of the shown take would go, without a suffix.
+    QString exportName() const;
     struct Saved;
 
-    QString startFolder() const;
     void refuseFiles(const QStringList& files, bool anyProject);
     void restore(const KeptVersion& version);
     void openVersion(const KeptVersion& version);
@@ -95,7 +97,6 @@ private:
     JobRunner writing_;
     JobRunner exporting_;                ///< goes on while the project is saved
     std::shared_ptr<ProjectLock> lock_;  ///< of the open project; null: it has no file
-    std::string onDisk_;                 ///< what its file held when it was last read or written
 };
 
 }  // namespace kumite::studio

@@ -131,6 +131,11 @@ private:
     void refreshIcons();
     void showKeysHint();
     QStringList keysHint() const;
+    void takeOverLabels();
+    void focusMoved(QWidget* from, QWidget* to);
+    /// Whether a key belongs to commands of the views, and the focus is elsewhere: the top bar, of
+    /// which Qt thinks that what its menus hold works everywhere in it.
+    bool isOfTheViews(const QWidget& focused, const QKeyEvent& key) const;
     bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();
     void changeSpeed(int direction);

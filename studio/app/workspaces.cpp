@@ -64,20 +64,33 @@ WorkspaceBar::WorkspaceBar(Workspaces& workspaces, QWidget* parent)
     row_->setContentsMargins(0, 0, 0, 0);
     row_->setSpacing(2);
     setAccessibleName(tr("Workspaces"));
-    connect(&workspaces_, &Workspaces::changed, this, &WorkspaceBar::fill);
+    connect(&workspaces_, &Workspaces::changed, this, &WorkspaceBar::refresh);
     fill();
+}
+
+void WorkspaceBar::refresh() {
+    // Tabs that are there stay: one of them may have the focus, or be in the middle of a click.
+    const auto tabs = findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
+    if (static_cast<std::size_t>(tabs.size()) != workspaces_.all().size()) return fill();
+    const QColor colour = coloursFor(palette()).text;
+    for (std::size_t i = 0; i < workspaces_.all().size(); ++i) {
+        const Workspace& workspace = workspaces_.all()[i];
+        QToolButton* tab = tabs[static_cast<qsizetype>(i)];
+        tab->setIcon(lineIcon(workspace.icon, colour));
+        tab->setChecked(workspace.id == workspaces_.current());
+    }
 }
 
 void WorkspaceBar::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) fill();
+    if (event->type() == QEvent::PaletteChange) refresh();
 }
 
 void WorkspaceBar::fill() {
     while (QLayoutItem* item = row_->takeAt(0)) {
-        // One of the buttons may be on its way back from a click.
         item->widget()->hide();
-        item->widget()->deleteLater();
+        item->widget()->setParent(nullptr);
+        item->widget()->deleteLater();  // the style may be going through all widgets
         delete item;
     }
     const Colours& c = coloursFor(palette());
@@ -101,11 +114,14 @@ void WorkspaceBar::fill() {
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setCheckable(true);
         button->setChecked(workspace.id == workspaces_.current());
+        button->setProperty("role", "workspace");
         button->setFocusPolicy(Qt::TabFocus);
         button->setAccessibleName(tr("%1 workspace").arg(workspace.name));
         button->setToolTip(workspace.tip);
-        connect(button, &QToolButton::clicked, this,
-                [this, id = workspace.id] { workspaces_.show(id); });
+        connect(button, &QToolButton::clicked, this, [this, id = workspace.id] {
+            workspaces_.show(id);
+            refresh();  // a click on the one that is shown would switch its tab off
+        });
         row_->addWidget(button);
     }
 }

@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/formats/gltf.h"
 #include "core/project/kept_clip.h"
+#include "studio/app/folders.h"
 #include "studio/app/questions.h"
 #include "studio/app/session.h"
 #include "studio/jobs/job_runner.h"
@@ -22,11 +23,7 @@ QString text(const char* source) {
 }
 
 QString suggestion(const Session& session, const QString& name) {
-    const Document& document = session.document();
-    const QString folder = document.path().isEmpty()
-                               ? QSettings().value(QStringLiteral("exportFolder")).toString()
-                               : QFileInfo(document.path()).path();
-    return folder + QLatin1Char('/') + name + QStringLiteral(".bvh");
+    return startFolder(session.document()) + QLatin1Char('/') + name + QStringLiteral(".bvh");
 }
 
 void addClipsOf(Session& session, const QStringList& paths) {
@@ -78,7 +75,7 @@ void exportMotion(Session& session, JobRunner& writing, const MadeMotion& motion
         fileToSave(window, text("Export the motion"), suggestion(session, motion.name),
                    text("Motion (*.bvh);;glTF: skeleton and animation (*.glb)"));
     if (path.isEmpty()) return;
-    QSettings().setValue(QStringLiteral("exportFolder"), QFileInfo(path).absolutePath());
+    rememberFolder(path);
     exportMotionTo(session, writing, motion, path);
 }
 

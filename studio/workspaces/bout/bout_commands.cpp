@@ -3,12 +3,12 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QProgressDialog>
-#include <QSettings>
 
 #include <cmath>
 
 #include "core/project/kept_bout.h"
 #include "studio/app/commands.h"
+#include "studio/app/folders.h"
 #include "studio/app/questions.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/bout/bout_export.h"
@@ -34,13 +34,9 @@ QString commandText(const BoutSession& bout, const std::string& words) {
 
 /// A name in the folder of the document for what comes of a bout.
 QString suggestion(BoutSession& bout, const QString& suffix) {
-    const Document& document = bout.session().document();
-    const QFileInfo project(document.path());
-    const QString folder = document.path().isEmpty()
-                               ? QSettings().value(QStringLiteral("exportFolder")).toString()
-                               : project.path();
     const auto seed = bout.tape()->now().settings().seed;
-    return folder + QLatin1Char('/') + QStringLiteral("bout-%1%2").arg(seed).arg(suffix);
+    return startFolder(bout.session().document()) + QLatin1Char('/') +
+           QStringLiteral("bout-%1%2").arg(seed).arg(suffix);
 }
 
 void keepAsTake(BoutSession& bout, StageView& stage) {
@@ -76,6 +72,7 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
             const std::string take = kept.edit.project.takes.back().name;
             now.apply(Document::ProjectEdit(
                 [&kept](const Project&) { return MaybeEdit(std::move(kept.edit)); }));
+            bout.stayWith(now.project());
             Q_EMIT bout.session().hinted(
                 text("Kept as take %1. Detection alone finds %2 % and %3 % of its boundaries.")
                     .arg(QString::fromStdString(take))
@@ -118,7 +115,7 @@ void exportBout(BoutSession& bout, StageView& stage) {
              "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes "
              "it again (*.json)"));
     if (path.isEmpty()) return;
-    QSettings().setValue(QStringLiteral("exportFolder"), QFileInfo(path).absolutePath());
+    rememberFolder(path);
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("png") || suffix == QLatin1String("mp4")) {
         if (!bout.tape()) return;

@@ -123,8 +123,15 @@ void BoutStrip::paintBlock(QPainter& painter, const Block& block) const {
     painter.setPen(c.text);
     const QString name = bout_.nameOf(block.player, block.node);
     const int wrapped = Qt::AlignLeft | Qt::TextWordWrap;
-    const bool fits = painter.boundingRect(text, wrapped, name).height() <= text.height();
-    painter.drawText(text, wrapped | (fits ? Qt::AlignVCenter : Qt::AlignTop), name);
+    const QRectF needed = painter.boundingRect(text, wrapped, name);
+    if (needed.height() <= text.height() && needed.width() <= text.width()) {
+        painter.drawText(text, wrapped | Qt::AlignVCenter, name);
+    } else {
+        // Rather the beginning of a name than its words cut in two.
+        painter.drawText(
+            text, Qt::AlignLeft | Qt::AlignVCenter,
+            painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(text.width())));
+    }
 }
 
 void BoutStrip::paintEvent(QPaintEvent*) {

@@ -2,9 +2,9 @@
 
 #include <QApplication>
 #include <QFileInfo>
-#include <QSettings>
 
 #include "studio/app/commands.h"
+#include "studio/app/folders.h"
 #include "studio/app/questions.h"
 #include "studio/view3d/graph_view.h"
 #include "studio/workspaces/graph/graph_centre.h"
@@ -23,16 +23,15 @@ QString text(const char* source) {
 }
 
 void askForExport(GraphCentre& centre, GraphSession& graph) {
-    QSettings settings;
-    const QString key = QStringLiteral("exportFolder");
     const QString name = QFileInfo(graph.session().document().name()).completeBaseName();
     const QString path = fileToSave(
         centre.window(), text("Export transitions"),
-        settings.value(key).toString() + QLatin1Char('/') + name + QStringLiteral("-graph.csv"),
+        startFolder(graph.session().document()) + QLatin1Char('/') + name +
+            QStringLiteral("-graph.csv"),
         text("Edges as a table (*.csv);;Graph and model (*.json);;Graph (*.graphml);;Picture "
              "(*.png);;Picture of lines (*.svg)"));
     if (path.isEmpty()) return;
-    settings.setValue(key, QFileInfo(path).absolutePath());
+    rememberFolder(path);
     const QString failure = exportGraph(centre, graph, path);
     if (failure.isEmpty()) {
         Q_EMIT graph.session().hinted(text("Written: %1").arg(path));

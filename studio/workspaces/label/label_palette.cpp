@@ -104,6 +104,14 @@ void LabelPalette::layOut() {
     top += kGap;
     quickTop_ = top;
     addQuick(top);
+    Spot besides;
+    besides.kind = Spot::Besides;
+    besides.key = keyOf_(QStringLiteral("label.composite"));
+    besides.place = QRect(0, top + kGap, width(), kRow);
+    besides.text = tr("and: adds the next class");
+    besides.tip = tr("For two strikes in one action: this, then a class of another lane");
+    spots_.push_back(besides);
+    top += kGap + kRow;
     height_ = top;
     if (height_ != before) updateGeometry();
 }
@@ -198,6 +206,7 @@ void LabelPalette::paintEvent(QPaintEvent*) {
         if (spot.kind == Spot::Lane) paintLane(painter, spot);
         if (spot.kind == Spot::Class) paintClass(painter, spot);
         if (spot.kind == Spot::Quick) paintQuick(painter, spot);
+        if (spot.kind == Spot::Besides) paintBesides(painter, spot);
         if (spot.kind == Spot::Caption) {
             painter.setPen(coloursFor(palette()).secondText);
             painter.drawText(
@@ -277,6 +286,14 @@ void LabelPalette::paintQuick(QPainter& painter, const Spot& spot) {
                      painter.fontMetrics().elidedText(spot.text, Qt::ElideRight, rest.width()));
 }
 
+void LabelPalette::paintBesides(QPainter& painter, const Spot& spot) {
+    if (review_.isComposite()) {
+        const Colours& c = coloursFor(palette());
+        painter.fillRect(spot.place, mixed(c.panel, c.accent, 0.3));
+    }
+    paintQuick(painter, spot);
+}
+
 const LabelPalette::Spot* LabelPalette::spotAt(const QPoint& position) const {
     const auto found = std::find_if(spots_.begin(), spots_.end(), [&](const Spot& spot) {
         return spot.place.contains(position);
@@ -303,6 +320,9 @@ void LabelPalette::mousePressEvent(QMouseEvent* event) {
             break;
         case Spot::Quick:
             review_.quick(index);
+            break;
+        case Spot::Besides:
+            review_.setComposite(!review_.isComposite());
             break;
         case Spot::Caption:
             break;
