@@ -136,6 +136,7 @@ private:
     void showGhosts();
     void showColours();
     void showLabels();
+    QString aroundAction() const;
     void showCaption();
     void tellMeasured();
     void pointToOtherFighter();
@@ -168,6 +169,7 @@ private:
     QWidget* tools_ = nullptr;
     CameraHand hand_;
     QString measuringHint_;
+    QString around_;   ///< "before the action"; empty: within it, or none is looped
     QString caption_;  ///< whole, where the view is too narrow for it
     QString told_;     ///< of what is measured
 };

@@ -370,8 +370,10 @@ void BoutPanel::showQuality() {
             const QString text = measure.text(quality);
             return text.isEmpty() ? QStringLiteral("–") : text;
         };
-        quality_->item(row, 1)->setText(judgement ? textOf(judgement->bout) : QString());
-        quality_->item(row, 2)->setText(judgement ? textOf(judgement->recording) : QString());
+        // Nothing is measured unasked: "…" waits for the button.
+        const QString none = QStringLiteral("…");
+        quality_->item(row, 1)->setText(judgement ? textOf(judgement->bout) : none);
+        quality_->item(row, 2)->setText(judgement ? textOf(judgement->recording) : none);
     }
     judge_->setText(judgement ? tr("Measure (%1 s)").arg(judgement->seconds, 0, 'f', 0)
                               : tr("Measure"));

@@ -127,10 +127,15 @@ void BoutStrip::paintBlock(QPainter& painter, const Block& block) const {
     if (needed.height() <= text.height() && needed.width() <= text.width()) {
         painter.drawText(text, wrapped | Qt::AlignVCenter, name);
     } else {
-        // Rather the beginning of a name than its words cut in two.
-        painter.drawText(
-            text, Qt::AlignLeft | Qt::AlignVCenter,
-            painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(text.width())));
+        // A word a line; what is too long ends in dots rather than in the middle of a letter.
+        const QFontMetrics metrics = painter.fontMetrics();
+        QStringList lines;
+        for (const QString& word : name.split(QLatin1Char(' ')))
+            lines.append(metrics.elidedText(word, Qt::ElideRight, static_cast<int>(text.width())));
+        const auto room = static_cast<qsizetype>(text.height() / metrics.lineSpacing());
+        while (lines.size() > std::max<qsizetype>(1, room))
+            lines.removeLast();
+        painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, lines.join(QLatin1Char('\n')));
     }
 }
 
