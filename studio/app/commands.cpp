@@ -10,24 +10,17 @@
 #include <utility>
 
 #include "studio/app/icons.h"
+#include "studio/app/language.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
 
-namespace {
-
-QString withoutMarks(QString text) {
-    return text.remove(QLatin1Char('&'));
-}
-
-}  // namespace
-
 QString Command::plainText() const {
-    return withoutMarks(text);
+    return withoutMnemonic(text);
 }
 
 QString Command::plainMenu() const {
-    return withoutMarks(menu.startsWith(QLatin1Char('-')) ? menu.mid(1) : menu);
+    return withoutMnemonic(menu.startsWith(QLatin1Char('-')) ? menu.mid(1) : menu);
 }
 
 QString Command::keysText() const {

@@ -35,6 +35,8 @@ public:
     QString path() const { return path_; }
     /// "bout.kumite", or the first take's name.
     QString name() const;
+    /// It is not what its file holds, whatever the history says.
+    bool isUnsaved() const { return unsaved_; }
     /// Edits that wait for the derived values count.
     bool isModified() const { return open_ && (unsaved_ || !history_.isSaved() || isWaiting()); }
 

@@ -69,6 +69,12 @@ public:
     /// Asks what to do with unsaved changes; false: stay.
     bool mayLeave();
 
+    /// Waits until edits that wait for derived values are made.
+    void finishEdits();
+    /// The lock of the open project; null: it has no file.
+    std::shared_ptr<ProjectLock> lock() const { return lock_; }
+    void setLock(std::shared_ptr<ProjectLock> lock) { lock_ = std::move(lock); }
+
 Q_SIGNALS:
     /// A bout was opened from these files.
     void opened(const QStringList& files);
@@ -87,7 +93,6 @@ private:
     void openVersion(const KeptVersion& version);
     bool mayTakeOver(ProjectLock& lock, const QString& path);
     bool mayReplace(const QString& path);
-    void finishEdits();
     std::optional<Saved> write(const QString& path, bool whateverIsThere);
 
     Session& session_;
@@ -95,8 +100,8 @@ private:
     QWidget* window_;
     JobRunner jobs_;
     JobRunner writing_;
-    JobRunner exporting_;                ///< goes on while the project is saved
-    std::shared_ptr<ProjectLock> lock_;  ///< of the open project; null: it has no file
+    JobRunner exporting_;  ///< goes on while the project is saved
+    std::shared_ptr<ProjectLock> lock_;
 };
 
 }  // namespace kumite::studio

@@ -9,6 +9,7 @@
 #include "studio/app/preferences.h"
 #include "studio/app/preferences_dialog.h"
 #include "studio/app/session.h"
+#include "studio/app/window_state.h"
 
 class QKeyEvent;
 class QSplitter;
@@ -78,6 +79,10 @@ public:
 
     /// Whether something is being read or computed.
     bool isBusy() const;
+    /// All that another window needs to go on in its place; edits that wait are made before.
+    WindowState handOver();
+    void takeOver(WindowState state);
+    bool isShowingPreferences() const { return !preferencesDialog_.isNull(); }
     /// Shows the page of keys; it stays open beside the window.
     void showKeys();
     void showPreferences(PreferencesDialog::Page page);

@@ -29,6 +29,7 @@ Preferences::Preferences(QObject* parent) : QObject(parent) {
     const QSettings settings;
     PreferenceValues v;
     v.theme = static_cast<ThemeChoice>(settings.value("theme", static_cast<int>(v.theme)).toInt());
+    v.language = settings.value("language").toString();
     v.autosaveSeconds = settings.value("autosaveSeconds", v.autosaveSeconds).toInt();
     v.leapFrames = settings.value("leapFrames", v.leapFrames).toInt();
     v.playbackSpeed = settings.value("playbackSpeed", v.playbackSpeed).toDouble();
@@ -42,6 +43,7 @@ void Preferences::set(PreferenceValues values) {
     if (values == values_) return;
     values_ = values;
     QSettings settings;
+    settings.setValue("language", values.language);
     settings.setValue("theme", static_cast<int>(values.theme));
     settings.setValue("autosaveSeconds", values.autosaveSeconds);
     settings.setValue("leapFrames", values.leapFrames);

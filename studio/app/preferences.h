@@ -8,6 +8,7 @@ namespace kumite::studio {
 
 /// What a user wants of every project.
 struct PreferenceValues {
+    QString language;  ///< as useLanguage takes it; empty: the system's
     ThemeChoice theme = ThemeChoice::System;
     int autosaveSeconds = 30;    ///< 5 … 600
     int leapFrames = 10;         ///< frames that Shift+arrow goes; 2 … 1000

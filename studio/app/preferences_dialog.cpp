@@ -14,6 +14,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/app/key_editor.h"
+#include "studio/app/language.h"
 #include "studio/app/panel_parts.h"
 #include "studio/app/preferences.h"
 
@@ -83,6 +84,14 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
     describe(theme, tr("Theme"), tr("Colours of the whole window."));
     form->addRow(tr("Theme"), theme);
+    auto* language = new QComboBox(page);
+    language->addItem(tr("As the system"), QString());
+    for (const Language& each : languages())
+        language->addItem(each.name, each.code);
+    describe(language, tr("Language"),
+             tr("Of all texts, numbers and dates in the window; files do not know it. The window "
+                "is made anew at once, with what is open in it."));
+    form->addRow(tr("Language"), language);
 
     heading(tr("Playback"));
     auto* speed = new QDoubleSpinBox(page);
@@ -125,6 +134,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     const auto show = [=, this] {
         const PreferenceValues& v = preferences_.values();
         theme->setCurrentIndex(static_cast<int>(v.theme));
+        language->setCurrentIndex(std::max(0, language->findData(v.language)));
         speed->setValue(v.playbackSpeed * 100);
         looping->setChecked(v.looping);
         leap->setValue(v.leapFrames);
@@ -135,14 +145,19 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     for (QAbstractSpinBox* box :
          {static_cast<QAbstractSpinBox*>(speed), static_cast<QAbstractSpinBox*>(leap),
           static_cast<QAbstractSpinBox*>(mouse), static_cast<QAbstractSpinBox*>(autosave)}) {
-        box->setLocale(QLocale::c());
+        box->setLocale(fieldLocale());
         box->setKeyboardTracking(false);
         box->setFixedWidth(120);
     }
     theme->setFixedWidth(160);
+    language->setFixedWidth(160);
     connect(&preferences_, &Preferences::changed, page, show);
     connect(theme, &QComboBox::currentIndexChanged, page,
             [this](int index) { preferences_.setTheme(static_cast<ThemeChoice>(index)); });
+    connect(language, &QComboBox::activated, page, [this, language] {
+        change(preferences_,
+               [=](PreferenceValues& v) { v.language = language->currentData().toString(); });
+    });
     connect(speed, &QDoubleSpinBox::valueChanged, page, [this](double percent) {
         change(preferences_, [=](PreferenceValues& v) { v.playbackSpeed = percent / 100; });
     });

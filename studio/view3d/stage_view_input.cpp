@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "studio/app/session.h"
+#include "studio/app/words.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_scene.h"
 
@@ -26,7 +27,7 @@ void StageView::showLabels() {
     const auto to = measuring.to ? jointPosition(*measuring.to) : std::nullopt;
     if (from && to) {
         marks.distance = {*from, *to,
-                          tr("%1 m").arg(QString::number(measuredDistance().value_or(0), 'f', 2))};
+                          tr("%1 m").arg(numberText(measuredDistance().value_or(0), 2))};
     } else if (from) {
         marks.points.push_back({*from, {}});
     }

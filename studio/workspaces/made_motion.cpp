@@ -1,6 +1,7 @@
 #include "studio/workspaces/made_motion.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
@@ -18,9 +19,10 @@ namespace kumite::studio {
 
 namespace {
 
-QString text(const char* source) {
-    return QApplication::translate("kumite::studio::MadeMotion", source);
-}
+/// Translations of this file.
+struct MadeMotion {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::MadeMotion)
+};
 
 QString suggestion(const Session& session, const QString& name) {
     return startFolder(session.document()) + QLatin1Char('/') + name + QStringLiteral(".bvh");
@@ -39,8 +41,9 @@ void addClipsOf(Session& session, const QStringList& paths) {
 }  // namespace
 
 void keepMotion(Session& session, JobRunner& writing, const MadeMotion& motion, QWidget* window) {
-    const QString path = fileToSave(window, text("Keep the motion as a take"),
-                                    suggestion(session, motion.name), text("Recordings (*.bvh)"));
+    const QString path =
+        fileToSave(window, MadeMotion::tr("Keep the motion as a take"),
+                   suggestion(session, motion.name), MadeMotion::tr("Recordings (*.bvh)"));
     if (!path.isEmpty()) keepMotionAs(session, writing, motion, path);
 }
 
@@ -48,7 +51,7 @@ void keepMotionAs(Session& session, JobRunner& writing, const MadeMotion& motion
                   const QString& path) {
     const QFileInfo info(path);
     writing.start(
-        text("Keeping the motion"),
+        MadeMotion::tr("Keeping the motion"),
         [project = session.document().project(), motion,
          name = info.completeBaseName().toStdString(),
          folder = info.path().toStdString()](const Progress& progress) {
@@ -65,15 +68,15 @@ void keepMotionAs(Session& session, JobRunner& writing, const MadeMotion& motion
                 }));
             if (done) {
                 Q_EMIT session.hinted(
-                    text("Kept as take %1.").arg(QString::fromStdString(take.name)));
+                    MadeMotion::tr("Kept as take %1.").arg(QString::fromStdString(take.name)));
             }
         });
 }
 
 void exportMotion(Session& session, JobRunner& writing, const MadeMotion& motion, QWidget* window) {
     const QString path =
-        fileToSave(window, text("Export the motion"), suggestion(session, motion.name),
-                   text("Motion (*.bvh);;glTF: skeleton and animation (*.glb)"));
+        fileToSave(window, MadeMotion::tr("Export the motion"), suggestion(session, motion.name),
+                   MadeMotion::tr("Motion (*.bvh);;glTF: skeleton and animation (*.glb)"));
     if (path.isEmpty()) return;
     rememberFolder(path);
     exportMotionTo(session, writing, motion, path);
@@ -82,7 +85,7 @@ void exportMotion(Session& session, JobRunner& writing, const MadeMotion& motion
 void exportMotionTo(Session& session, JobRunner& writing, const MadeMotion& motion,
                     const QString& path) {
     writing.start(
-        text("Writing the motion"),
+        MadeMotion::tr("Writing the motion"),
         [motion, path](const Progress& progress) {
             const QString suffix = QFileInfo(path).suffix().toLower();
             if (suffix == QLatin1String("bvh")) {
@@ -102,20 +105,20 @@ void exportMotionTo(Session& session, JobRunner& writing, const MadeMotion& moti
             return path;
         },
         [&session](const QString& written) {
-            Q_EMIT session.hinted(text("Written: %1").arg(written));
+            Q_EMIT session.hinted(MadeMotion::tr("Written: %1").arg(written));
         });
 }
 
 void askForClips(Session& session, QWidget* window) {
-    addClipsOf(session, filesToOpen(window, text("Add clips"),
+    addClipsOf(session, filesToOpen(window, MadeMotion::tr("Add clips"),
                                     QSettings().value(QStringLiteral("clipFolder")).toString(),
-                                    text("Motion and projects (*.bvh *.amc *.kumite)")));
+                                    MadeMotion::tr("Motion and projects (*.bvh *.amc *.kumite)")));
 }
 
 void askForClipFolder(Session& session, QWidget* window) {
     if (!isAttended()) return;
     const QString folder = QFileDialog::getExistingDirectory(
-        window, text("Add all clips of a folder"),
+        window, MadeMotion::tr("Add all clips of a folder"),
         QSettings().value(QStringLiteral("clipFolder")).toString());
     if (!folder.isEmpty()) addClipsOf(session, {folder});
 }

@@ -14,6 +14,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/language.h"
 #include "studio/app/picture.h"
 #include "studio/timeline/timeline_view.h"
 
@@ -142,7 +143,7 @@ void answer(const QString& text, int patience) {
             return answer(text, patience - 1);
         }
         for (QAbstractButton* button : box->buttons()) {
-            if (button->text().remove('&') == text) return button->click();
+            if (withoutMnemonic(button->text()) == text) return button->click();
         }
         ADD_FAILURE() << "no button " << text.toStdString();
         box->reject();

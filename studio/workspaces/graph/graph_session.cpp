@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/core_words.h"
 #include "studio/app/words.h"
 
 namespace kumite::studio {
@@ -108,7 +109,7 @@ QString shortLabelWords(const Vocabulary& vocabulary, const Label& label) {
         if (!aspect.fallback) {
             words.append(id);
         } else {
-            words.append(QString::fromStdString(aspect.name).toLower() + QLatin1Char(' ') + id);
+            words.append(vocabularyInText(aspect.name) + QLatin1Char(' ') + id);
         }
     }
     return words.isEmpty() ? GraphSession::tr("others") : words.join(QStringLiteral(", "));
@@ -123,12 +124,11 @@ QString surpriseWords(const Surprise& surprise) {
     const auto p = [](double nats) {
         const double value = std::exp(-nats);
         return value < 0.0005 ? GraphSession::tr("P <0.001")
-                              : GraphSession::tr("P %1").arg(QString::number(value, 'f', 3));
+                              : GraphSession::tr("P %1").arg(numberText(value, 3));
     };
     return GraphSession::tr("surprise %1 (%2 seen the motion): label %3 (%4), geometry %5")
-        .arg(QString::number(surprise.both, 'f', 1), p(surprise.both),
-             QString::number(surprise.label, 'f', 1), p(surprise.label),
-             QString::asprintf("%+.1f", surprise.geometry));
+        .arg(numberText(surprise.both, 1), p(surprise.both), numberText(surprise.label, 1),
+             p(surprise.label), QString::asprintf("%+.1f", surprise.geometry));
 }
 
 Project withHandLabels(const Project& project) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/timeline/lane_painter.h"
 #include "studio/workspaces/label/label_lanes.h"
@@ -96,7 +97,7 @@ void LabelPalette::layOut() {
         lane.kind = Spot::Lane;
         lane.index = a;
         lane.place = QRect(0, top, width(), kRow);
-        lane.text = QString::fromStdString(vocabulary[a].name);
+        lane.text = vocabularyWords(vocabulary[a].name);
         spots_.push_back(lane);
         top += kRow;
         if (a == review_.labels().aspect()) addClasses(top);
@@ -131,7 +132,7 @@ void LabelPalette::addClasses(int& top) {
                 ? QString()
                 : keyOf_(
                       QStringLiteral("label.class%1").arg(QString::fromStdString(qualifier.key)));
-        chip.text = QString::fromStdString(qualifier.name);
+        chip.text = vocabularyWords(qualifier.name);
         chip.tip = aspectWords(vocabulary, review_.labels().aspect(), chip.index);
         chip.colour = QColor(QString::fromStdString(qualifier.colour));
         const int cap = chip.key.isEmpty()
@@ -248,7 +249,7 @@ void LabelPalette::paintLane(QPainter& painter, const Spot& spot) {
         painter.setBrush(Qt::NoBrush);
         if (outlined) painter.drawRect(swatch.adjusted(0, 0, -1, -1));
     }
-    QString text = QString::fromStdString(qualifier.name);
+    QString text = vocabularyWords(qualifier.name);
     const bool machine = shown.value.source == LabelSource::Machine;
     if (machine && shown.value.confidence > 0) {
         text += QStringLiteral("  %1").arg(static_cast<double>(shown.value.confidence), 0, 'f', 2);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "studio/app/core_words.h"
 #include "studio/workspaces/label/label_words.h"
 
 namespace kumite::studio {
@@ -158,7 +159,7 @@ void LabelReview::nameClass(int digit) {
     if (!qualifier) {
         Q_EMIT labels_.session().hinted(
             tr("%1 has no class %2.")
-                .arg(QString::fromStdString(labels_.vocabulary()[labels_.aspect()].name))
+                .arg(vocabularyWords(labels_.vocabulary()[labels_.aspect()].name))
                 .arg(digit));
         return;
     }

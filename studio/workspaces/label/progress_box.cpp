@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/label/label_review.h"
@@ -139,7 +140,7 @@ QStringList ProgressBox::seenOnce() const {
         const Prediction& said = any.aspects[static_cast<std::size_t>(a)].prediction;
         if (vocabulary[a].classifier == Classifier::Msvm && said.blind &&
             said.qualifier != kUnknown)
-            names.append(QString::fromStdString(vocabulary[a].name).toLower());
+            names.append(vocabularyInText(vocabulary[a].name));
     }
     return names;
 }

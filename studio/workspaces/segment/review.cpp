@@ -9,9 +9,10 @@ namespace kumite::studio {
 
 namespace {
 
-QString words(const char* text) {
-    return QCoreApplication::translate("kumite::studio::Review", text);
-}
+/// Translations of this file.
+struct Review {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::Review)
+};
 
 std::vector<Suspect> openSuspects(const Session& session) {
     std::vector<Suspect> open = suspectsOf(session);
@@ -33,20 +34,17 @@ void goOn(Session& session, std::ptrdiff_t before) {
         session.examine(open.front().boundary);
         const auto others = static_cast<int>(before - left) - 1;
         if (others > 0) {
-            Q_EMIT session.hinted(
-                QCoreApplication::translate("kumite::studio::Review",
-                                            "What you decided clears %n more.", nullptr, others) +
-                QLatin1Char(' ') +
-                QCoreApplication::translate("kumite::studio::Review", "%n suspect(s) left.",
-                                            nullptr, left));
+            Q_EMIT session.hinted(Review::tr("What you decided clears %n more.", nullptr, others) +
+                                  QLatin1Char(' ') +
+                                  Review::tr("%n suspect(s) left.", nullptr, left));
         }
         return;
     }
     // The same key or button again must not undo what was just decided.
     session.select(std::nullopt);
-    Q_EMIT session.hinted(open.empty()
-                              ? words("Every minimum of this take is decided.")
-                              : words("No suspect is left. N leads through the other minima."));
+    Q_EMIT session.hinted(
+        open.empty() ? Review::tr("Every minimum of this take is decided.")
+                     : Review::tr("No suspect is left. N leads through the other minima."));
 }
 
 /// The mark of the selected boundary; without one, says how to get it.
@@ -56,7 +54,7 @@ const BoundaryMark* selectedMark(Session& session) {
         selected ? nearestMark(session.marks(selected->player), selected->frame, 0.5) : nullptr;
     if (mark == nullptr) {
         Q_EMIT session.hinted(
-            words("No boundary is selected. N leads to the most suspicious minimum."));
+            Review::tr("No boundary is selected. N leads to the most suspicious minimum."));
     }
     return mark;
 }
@@ -64,7 +62,7 @@ const BoundaryMark* selectedMark(Session& session) {
 void goToSuspect(Session& session, int direction) {
     const std::vector<Suspect> open = openSuspects(session);
     if (open.empty()) {
-        Q_EMIT session.hinted(words("No minimum is left to decide."));
+        Q_EMIT session.hinted(Review::tr("No minimum is left to decide."));
         return;
     }
     const auto count = static_cast<std::ptrdiff_t>(open.size());

@@ -49,7 +49,7 @@ void StatisticsBox::refresh() {
                              const ReviewStatistics& numbers) {
         cells_[row][0]->setText(who);
         cells_[row][1]->setText(QString::number(count));
-        cells_[row][2]->setText(QString::number(numbers.minimaPerSecond(), 'f', 2));
+        cells_[row][2]->setText(numberText(numbers.minimaPerSecond(), 2));
         cells_[row][3]->setText(percentText(numbers.shareCorrected()));
         cells_[row][4]->setText(QString::number(numbers.toReview));
     };
