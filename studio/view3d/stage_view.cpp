@@ -81,6 +81,7 @@ void StageView::beginLive(const QObject* owner, std::array<std::vector<Bone>, 2>
     setMeasuring(false);
     live_ = owner;
     scene_->handles = {};
+    scene_->drag = {};
     followed_.reset();
     scene_->bones = std::move(bones);
     scene_->stage.clearGhosts();
@@ -102,10 +103,20 @@ void StageView::endLive(const QObject* owner) {
     if (live_ != owner) return;
     live_ = nullptr;
     scene_->handles = {};
+    scene_->drag = {};
     followed_.reset();
     bodiesChanged();
     frameAll();
     Q_EMIT switchesChanged();
+}
+
+void StageView::setLiveGhosts(const std::vector<StageGhost>& ghosts) {
+    if (!live_) return;
+    scene_->stage.clearGhosts();
+    for (const StageGhost& ghost : ghosts)
+        scene_->stage.addGhost(ghost.player, scene_->bones[static_cast<std::size_t>(ghost.player)],
+                               ghost.joints);
+    scene_->canvas->markDirty();
 }
 
 void StageView::setPointingAtFloor(bool on) {
@@ -327,7 +338,7 @@ void StageView::setTools(QWidget* tools) {
 void StageView::showCaption() {
     QString text = tr("grid 1 m");
     text += tr("   ·   left limbs lighter");
-    if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
+    if (overlays_.force && !live_) text += tr("   ·   arrow: contact force, 0.5 m per BW");
     if (isMeasuring()) text = measuringHint_;
     caption_ = text;
     placeOverlays();

@@ -2,8 +2,11 @@
 
 #include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSlider>
+#include <QTabWidget>
 #include <QTest>
 
 #include <algorithm>
@@ -16,11 +19,13 @@
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/keyframe/hit_session.h"
+#include "studio/workspaces/keyframe/joint_box.h"
 #include "studio/workspaces/keyframe/key_panel.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/key_strip.h"
 #include "studio/workspaces/keyframe/motion_box.h"
 #include "studio/workspaces/keyframe/pose_box.h"
+#include "studio/workspaces/keyframe/pose_dialog.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -43,6 +48,7 @@ protected:
             settle();
         }
     }
+    QTabWidget& tabs() { return *window_->findChild<KeyPanel*>()->findChild<QTabWidget*>(); }
     KeySession& keys() { return window_->keys(); }
     KeyStrip& strip() { return *window_->findChild<KeyStrip*>(); }
     std::vector<int> frames() {
@@ -121,6 +127,139 @@ TEST_F(KeyframeTest, AHandleIsDraggedAndTheFeetStay) {
     EXPECT_NEAR(placeOf(Handle::RightHand).y(), 1.0, 0.02);
 }
 
+TEST_F(KeyframeTest, EscLeavesADragAndOnlyItsButtonEndsIt) {
+    openWorkspace();
+    makeKeys();
+    const auto position = session().document().history().position();
+    const Eigen::Vector3d before = placeOf(Handle::RightHand);
+    StageView& stage = window_->stage();
+    for (auto* label : stage.findChildren<QLabel*>())
+        EXPECT_FALSE(label->text().contains("contact force")) << "there is none";
+    const QPoint from = stage.handlePosition(static_cast<int>(Handle::RightHand))->toPoint();
+    QTest::mousePress(&stage, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&stage, from + QPoint(0, -30));
+    EXPECT_GT(placeOf(Handle::RightHand).y(), before.y() + 0.03);
+    QTest::mouseClick(&stage, Qt::RightButton, {}, from + QPoint(0, -30));
+    EXPECT_EQ(session().document().history().position(), position) << "the left one is still held";
+    QTest::keyClick(&stage, Qt::Key_Escape);
+    EXPECT_LT((placeOf(Handle::RightHand) - before).norm(), 1e-9);
+    QTest::mouseMove(&stage, from + QPoint(0, -50));
+    QTest::mouseRelease(&stage, Qt::LeftButton, {}, from + QPoint(0, -50));
+    settle();
+    EXPECT_LT((placeOf(Handle::RightHand) - before).norm(), 1e-9);
+    EXPECT_EQ(session().document().history().position(), position);
+    // The same for a key.
+    const QPoint key = strip().placeOf(30).toPoint(), to = strip().placeOf(40).toPoint();
+    QTest::mousePress(&strip(), Qt::LeftButton, {}, key);
+    QTest::mouseMove(&strip(), (key + to) / 2);
+    QTest::mouseMove(&strip(), to);
+    QTest::mouseClick(&strip(), Qt::RightButton, {}, to);
+    EXPECT_EQ(frames(), (std::vector{0, 30, 60}));
+    QTest::keyClick(&strip(), Qt::Key_Escape);
+    QTest::mouseRelease(&strip(), Qt::LeftButton, {}, to);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 30, 60}));
+    EXPECT_EQ(session().document().history().position(), position);
+    // Nudges of one handle are one step, those of another a second one.
+    stage.setFocus();
+    const Eigen::Vector3d start = placeOf(Handle::RightHand);
+    for (int i = 0; i < 3; ++i)
+        press(Qt::Key_Up, Qt::ControlModifier);
+    settle();
+    EXPECT_NEAR(placeOf(Handle::RightHand).y(), start.y() + 0.06, 0.01);
+    EXPECT_EQ(session().document().history().position(), position + 1);
+    keys().setHandle(Handle::LeftHand);
+    press(Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_EQ(session().document().history().position(), position + 2);
+    session().document().undo();
+    session().document().undo();
+    settle();
+    EXPECT_LT((placeOf(Handle::RightHand) - start).norm(), 1e-4);
+}
+
+TEST_F(KeyframeTest, AJointIsTurnedByRingsAndNumbers) {
+    openWorkspace();
+    makeKeys();
+    const Rig& rig = *keys().draft().track.rig;
+    const int elbow = *rig.roles[Role::RightElbow];
+    const auto turnOf = [&] { return keys().pose()->turns[static_cast<std::size_t>(elbow)]; };
+    EXPECT_FALSE(window_->stage().ringPosition(0, 0));
+    press(Qt::Key_J);
+    EXPECT_EQ(keys().joint(), 0) << "the first of them";
+    keys().setJoint(elbow);
+    const auto position = session().document().history().position();
+    const Eigen::Quaterniond before = turnOf();
+    // A ring that the hands' handles do not hide.
+    StageView& stage = window_->stage();
+    int ring = -1;
+    QPoint from, way;
+    for (int i = 0; i < 3 && ring < 0; ++i) {
+        for (double angle = 0; angle < 6.2 && ring < 0; angle += 0.1) {
+            const QPointF at = *stage.ringPosition(i, angle);
+            bool isFree = true;
+            for (int h = 0; h < kHandleCount; ++h)
+                isFree = isFree && QLineF(at, *stage.handlePosition(h)).length() > 20;
+            for (int other = 0; other < 3; ++other) {
+                for (double b = 0; b < 6.3 && other != i; b += 0.05)
+                    isFree = isFree && QLineF(at, *stage.ringPosition(other, b)).length() > 9;
+            }
+            if (!isFree) continue;
+            ring = i;
+            from = at.toPoint();
+            way = (*stage.ringPosition(i, angle + 0.3) - at).toPoint();
+        }
+    }
+    ASSERT_GE(ring, 0);
+    const auto pull = [&](bool leave) {
+        QTest::mousePress(&stage, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&stage, from + way);
+        EXPECT_GT(turnOf().angularDistance(before), 0.1);
+        if (leave) QTest::keyClick(&stage, Qt::Key_Escape);
+        QTest::mouseRelease(&stage, Qt::LeftButton, {}, from + way);
+        settle();
+    };
+    pull(true);
+    EXPECT_LT(turnOf().angularDistance(before), 1e-9);
+    EXPECT_EQ(session().document().history().position(), position);
+    pull(false);
+    EXPECT_GT(turnOf().angularDistance(before), 0.1);
+    EXPECT_EQ(session().document().history().position(), position + 1);
+    session().document().undo();
+    settle();
+    EXPECT_LT(turnOf().angularDistance(before), 1e-4);
+    // By numbers, within the limits.
+    QDoubleSpinBox* field = nullptr;
+    for (auto* each : window_->findChild<JointBox*>()->findChildren<QDoubleSpinBox*>()) {
+        if (each->accessibleName().contains("about x")) field = each;
+    }
+    ASSERT_NE(field, nullptr);
+    const Eigen::Vector3d angles = jointAngles(turnOf());
+    field->setValue(angles.x() + 8);
+    settle();
+    EXPECT_NEAR(jointAngles(turnOf(), angles).x(), angles.x() + 8, 0.11);
+    EXPECT_NEAR(jointAngles(turnOf(), angles).y(), angles.y(), 0.01);
+    EXPECT_EQ(session().document().history().position(), position + 1);
+    keys().turnTo(Eigen::Quaterniond(Eigen::AngleAxisd(3.1, Eigen::Vector3d::UnitX())));
+    EXPECT_LE(jointBend(rig, elbow, turnOf())->swing, jointLimit(rig, elbow)->swing + 1e-6);
+}
+
+TEST_F(KeyframeTest, APoseIsCopiedFromAnyFrame) {
+    openWorkspace();
+    makeKeys();
+    const Eigen::Vector3d place = keys().pose()->root;
+    press(Qt::Key_T, Qt::ShiftModifier);
+    auto* dialog = window_->findChild<PoseDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QSlider*>()->setValue(47);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    settle();
+    const Pose& wanted = keys().motions()->motions[0].clip.frames[47];
+    for (std::size_t j = 0; j < wanted.turns.size(); ++j)
+        EXPECT_LT(keys().pose()->turns[j].angularDistance(wanted.turns[j]), 1e-4);
+    EXPECT_NEAR(keys().pose()->root.x(), place.x(), 1e-6) << "where the key was";
+    EXPECT_EQ(frames().size(), 3U);
+}
+
 TEST_F(KeyframeTest, KeysAreMovedCopiedMirroredAndSaved) {
     openWorkspace();
     makeKeys();
@@ -174,6 +313,7 @@ TEST_F(KeyframeTest, KeysBecomeAMotionThatIsKept) {
     ASSERT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
     EXPECT_TRUE(keys().isCurrent());
     EXPECT_EQ(keys().motion()->assembly.clip.frameCount(), 61);
+    tabs().setCurrentIndex(1);
     auto* list = window_->findChild<MotionBox*>()->findChild<QListWidget*>();
     ASSERT_GT(list->count(), 1);
     EXPECT_TRUE(list->item(0)->text().startsWith(QStringLiteral("●")));
@@ -199,6 +339,20 @@ TEST_F(KeyframeTest, KeysBecomeAMotionThatIsKept) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !keys().writing().isRunning(); }, 5000));
     settle();
     ASSERT_EQ(session().document().project().takes.size(), 2U);
+    ASSERT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
+    EXPECT_TRUE(keys().motions()->motions.back().made);
+    for (const PoseMatch& match : keys().motion()->found)
+        EXPECT_FALSE(keys().library()->motion(match.match.clip).made)
+            << "no source of its own keys";
+    // The body's place follows the take's name.
+    const QString place = QString::fromStdString(keys().library()->motion(0).name);
+    keys().change("Take the body from elsewhere",
+                  [&](KeyDraft& draft) { draft.body = place.toStdString() + "@0:100"; });
+    session().document().apply(Document::ProjectEdit(
+        [](const Project& project) { return renameTake(project, 0, "renamed"); }));
+    settle();
+    EXPECT_EQ(keys().draft().body, "renamed:1@0:100");
+    EXPECT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
     EXPECT_EQ(session().document().project().takes.back().fighters.front().frames.size(), 61);
     EXPECT_TRUE(QFileInfo::exists(file("made.bvh")));
 }
@@ -244,6 +398,30 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
         QTest::qWaitFor([&] { return session().document().project().takes.size() == 2; }, 10000));
     settle();
     ASSERT_TRUE(QTest::qWaitFor([&] { return hit.motion().has_value(); }, 20000));
+    EXPECT_EQ(hit.target(), aimed);
+    // Each is a step of the history, and saved.
+    const auto steps = session().document().history().position();
+    hit.setTarget(before);
+    EXPECT_EQ(session().document().history().position(), steps + 1);
+    session().document().undo();
+    EXPECT_EQ(hit.target(), aimed);
+    const std::string strike = hit.strike();
+    const std::string other = strike == strikes.front() ? strikes.back() : strikes.front();
+    hit.setStrike(other);
+    EXPECT_EQ(hit.strike(), other);
+    session().document().undo();
+    settle();
+    EXPECT_EQ(hit.strike(), strike);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hit.motion().has_value(); }, 20000));
+    EXPECT_EQ(hit.target(), aimed);
+    EXPECT_LT((*hitDraftOf(session().document().project()).target - aimed).norm(), 1e-12);
+    // Esc leaves the target where it was.
+    const QPoint held = window_->stage().handlePosition(0)->toPoint();
+    QTest::mousePress(&window_->stage(), Qt::LeftButton, {}, held);
+    QTest::mouseMove(&window_->stage(), held + QPoint(0, -20));
+    EXPECT_NE(hit.target(), aimed);
+    QTest::keyClick(&window_->stage(), Qt::Key_Escape);
+    QTest::mouseRelease(&window_->stage(), Qt::LeftButton, {}, held);
     EXPECT_EQ(hit.target(), aimed);
     // Far outside of what can be reached: it says so, and the nearest is shown.
     hit.setTarget({2.5, 2.4, -2.0});

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
-#include "core/labelling/label.h"
 #include "core/motion/blend.h"
 #include "core/project/library_strikes.h"
 #include "studio/workspaces/keyframe/key_session.h"
@@ -19,8 +19,14 @@ HitSession::HitSession(KeySession& keys, QObject* parent) : QObject(parent), key
     timer_.setInterval(kTick);
     connect(&timer_, &QTimer::timeout, this, &HitSession::advance);
     connect(&keys_, &KeySession::libraryChanged, this, &HitSession::takeLibrary);
-    connect(&keys_, &KeySession::stateChanged, this, [this] {
-        if (!keys_.isActive()) setPlaying(false);
+    connect(&keys_, &KeySession::stateChanged, this, [this, active = false]() mutable {
+        if (active == keys_.isActive()) return;
+        active = keys_.isActive();
+        if (!active) setPlaying(false);
+        if (active && !strikes_.empty()) readDraft();
+    });
+    connect(&keys_.session().document(), &Document::changed, this, [this] {
+        if (keys_.isActive() && !strikes_.empty() && !dragging_) readDraft();
     });
     connect(&jobs_, &JobRunner::failed, this, &HitSession::failed);
     connect(&jobs_, &JobRunner::started, this, &HitSession::changed);
@@ -32,8 +38,11 @@ void HitSession::setOn(bool on) {
     on_ = on;
     if (on_) {
         keys_.setPlaying(false);
-        if (strikes_.empty()) takeLibrary();
-        if (ready_ == nullptr) prepare();
+        if (strikes_.empty()) {
+            takeLibrary();
+        } else if (ready_ == nullptr) {
+            prepare();
+        }
     } else {
         setPlaying(false);
     }
@@ -55,36 +64,58 @@ void HitSession::takeLibrary() {
     strikes_.clear();
     const auto library = keys_.motions();
     if (library != nullptr) {
-        const Vocabulary& vocabulary = *keys_.session().document().project().labelling.vocabulary;
-        for (const Aspect& aspect : vocabulary.aspects) {
-            const bool has = std::any_of(
-                library->actions.begin(), library->actions.end(), [&](const LibraryAction& action) {
-                    return action.label.find(aspect.id + ":") != std::string::npos;
-                });
-            if (!aspect.strike.empty() && has) strikes_.push_back(aspect.id);
-        }
+        strikes_ = strikesIn(*library, *keys_.session().document().project().labelling.vocabulary);
         if (strikes_.empty()) {
             for (const LibraryMotion& motion : library->motions)
                 strikes_.push_back(motion.name);
         }
     }
-    if (std::find(strikes_.begin(), strikes_.end(), strike_) == strikes_.end()) {
-        strike_ = strikes_.empty() ? std::string() : strikes_.front();
-        aimed_ = false;
-    }
-    if (on_) prepare();
+    strike_.clear();
+    readDraft();
     Q_EMIT changed();
+}
+
+void HitSession::readDraft() {
+    try {
+        draft_ = hitDraftOf(keys_.session().document().project());
+    } catch (const std::exception& error) {
+        draft_ = {};
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+    const bool isKnown =
+        std::find(strikes_.begin(), strikes_.end(), draft_.strike) != strikes_.end();
+    const std::string strike = isKnown            ? draft_.strike
+                               : strikes_.empty() ? std::string()
+                                                  : strikes_.front();
+    if (strike != strike_) {
+        strike_ = strike;
+        ready_.reset();
+        motion_.reset();
+        if (on_) prepare();
+    } else if (ready_ != nullptr && target_ != wantedTarget()) {
+        target_ = wantedTarget();
+        setPlaying(false);
+        solve();
+    }
+    Q_EMIT changed();
+    show();
+}
+
+Eigen::Vector3d HitSession::wantedTarget() const {
+    const StrikeSpace& space = ready_->space;
+    return draft_.target.value_or(space.examples[static_cast<std::size_t>(space.reference)].point);
+}
+
+void HitSession::change(const QString& edit, const HitDraft& draft) {
+    keys_.session().document().apply(Document::ProjectEdit(
+        [&](const Project& project) { return setHitDraft(project, draft, edit.toStdString()); }));
 }
 
 void HitSession::setStrike(const std::string& strike) {
     if (strike == strike_) return;
-    strike_ = strike;
-    aimed_ = false;
-    ready_.reset();
-    motion_.reset();
-    prepare();
-    Q_EMIT changed();
-    show();
+    HitDraft draft;
+    draft.strike = strike;
+    change(tr("Strike with %1").arg(nameOf(strike)), draft);
 }
 
 void HitSession::prepare() {
@@ -117,11 +148,7 @@ void HitSession::prepare() {
             ready_ = std::move(result.ready);
             problem_ = result.problem;
             if (ready_ != nullptr) {
-                const auto& space = ready_->space;
-                // An edit of the project brings another library: the target stays.
-                if (!aimed_)
-                    target_ = space.examples[static_cast<std::size_t>(space.reference)].point;
-                aimed_ = true;
+                target_ = wantedTarget();
                 solve();
             }
             Q_EMIT changed();
@@ -130,9 +157,33 @@ void HitSession::prepare() {
 }
 
 void HitSession::setTarget(const Eigen::Vector3d& target) {
+    drag(target);
+    release();
+}
+
+void HitSession::drag(const Eigen::Vector3d& target) {
+    if (ready_ == nullptr) return;
+    dragging_ = true;
     target_ = target;
     target_.y() = std::clamp(target_.y(), 0.0, 2.5);
     setPlaying(false);
+    solve();
+    Q_EMIT changed();
+    show();
+}
+
+void HitSession::release() {
+    if (!std::exchange(dragging_, false)) return;
+    HitDraft draft = draft_;
+    draft.strike = strike_;
+    draft.target = target_;
+    draft.aim.reset();
+    change(tr("Move the target"), draft);
+}
+
+void HitSession::cancelDrag() {
+    if (!std::exchange(dragging_, false) || ready_ == nullptr) return;
+    target_ = wantedTarget();
     solve();
     Q_EMIT changed();
     show();
@@ -165,6 +216,13 @@ void HitSession::setPlaying(bool playing) {
         if (motion_) seconds_ = motion_->hit / motion_->clip.rate;
     }
     Q_EMIT changed();
+    show();
+}
+
+void HitSession::seek(double seconds) {
+    if (!motion_) return;
+    setPlaying(false);
+    seconds_ = std::clamp(seconds, 0.0, motion_->clip.seconds());
     show();
 }
 

@@ -8,6 +8,7 @@
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_session.h"
+#include "studio/workspaces/keyframe/pose_dialog.h"
 
 namespace kumite::studio {
 
@@ -15,13 +16,6 @@ namespace {
 
 QString text(const char* source) {
     return QApplication::translate("kumite::studio::KeyCommands", source);
-}
-
-/// The chosen handle, a little way on.
-void nudge(KeySession& keys, const Eigen::Vector3d& way) {
-    if (!keys.isEditable() || keys.pose() == nullptr) return;
-    const auto at = handlePoint(*keys.draft().track.rig, *keys.pose(), keys.handle());
-    if (at) keys.place(keys.handle(), *at + way);
 }
 
 }  // namespace
@@ -111,7 +105,11 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, S
         [session] { session->mirrorKey(); }, editable);
     add(
         "keys.take", menu, text("&Take the pose that the recording shows"), {QKeySequence("T")},
-        [session] { session->takePose(); }, editable);
+        [session] { session->takePose(); }, ready);
+    add(
+        "keys.takeFrom", menu, text("Copy the pose from an&y take or clip…"),
+        {QKeySequence("Shift+T")},
+        [session, view] { (new PoseDialog(*session, view->window()))->open(); }, ready);
     add(
         "keys.pin", group, text("The handle &stays where it is, or not"), {QKeySequence("P")},
         [session] { session->setPinned(session->handle(), !session->pins()[session->handle()]); },
@@ -123,11 +121,17 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, S
                 static_cast<Handle>((static_cast<int>(session->handle()) + 1) % kHandleCount));
         },
         editable);
+    add(
+        "keys.nextJoint", menu, text("Next &joint to turn"), {QKeySequence("J")},
+        [session] { session->stepJoint(1); }, editable);
+    add(
+        "keys.previousJoint", menu, text("Joint before"), {QKeySequence("Shift+J")},
+        [session] { session->stepJoint(-1); }, editable);
     const auto move = [&](const char* id, const QString& title, const char* key,
                           const Eigen::Vector3d& way) {
         add(
             id, menu, title, {QKeySequence(QLatin1String(key))},
-            [session, way] { nudge(*session, way); }, editable);
+            [session, way] { session->nudge(way); }, editable);
     };
     move("keys.up", text("Handle up"), "Ctrl+Up", {0, 0.02, 0});
     move("keys.down", text("Handle down"), "Ctrl+Down", {0, -0.02, 0});

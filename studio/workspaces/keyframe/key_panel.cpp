@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -11,6 +12,7 @@
 #include "studio/app/commands.h"
 #include "studio/workspaces/keyframe/hit_box.h"
 #include "studio/workspaces/keyframe/hit_session.h"
+#include "studio/workspaces/keyframe/joint_box.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/motion_box.h"
 #include "studio/workspaces/keyframe/pose_box.h"
@@ -37,12 +39,17 @@ KeyPanel::KeyPanel(KeySession& keys, HitSession& hit, QWidget* parent)
     auto* layout = new QVBoxLayout(full_);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(10);
-    auto* made = new QWidget(tools_);
-    auto* parts = new QVBoxLayout(made);
-    parts->setContentsMargins(0, 0, 0, 0);
+    auto* made = new QTabWidget(tools_);
+    made->setDocumentMode(true);
+    auto* pose = new QWidget(made);
+    auto* parts = new QVBoxLayout(pose);
+    parts->setContentsMargins(0, 8, 0, 0);
     parts->setSpacing(10);
-    parts->addWidget(new PoseBox(keys_, made));
-    parts->addWidget(new MotionBox(keys_, made), 1);
+    parts->addWidget(new PoseBox(keys_, pose));
+    parts->addWidget(new JointBox(keys_, pose));
+    parts->addStretch(1);
+    made->addTab(pose, tr("Key pose"));
+    made->addTab(new MotionBox(keys_, made), tr("Motion"));
     tools_->addWidget(made);
     tools_->addWidget(new HitBox(hit_, tools_));
     layout->addWidget(tools_, 1);

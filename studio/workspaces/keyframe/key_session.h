@@ -67,6 +67,8 @@ public:
     void addKey();
     /// The pose of the active fighter at the take's playhead, where the key stands.
     void takePose();
+    /// A pose where the chosen key stands; without one a new key at the playhead.
+    void usePose(const Pose& pose, const QString& edit);
     void removeKey();
     void moveKey(int from, int to);
     void copyKey();
@@ -85,9 +87,26 @@ public:
     void setHandle(Handle handle);
     const Pins& pins() const { return pins_; }
     void setPinned(Handle handle, bool pinned);
+    /// The joint that is turned by rings and numbers.
+    std::optional<int> joint() const { return joint_; }
+    void setJoint(std::optional<int> joint);
+    /// The joint after or before the chosen one; behind the last there is none.
+    void stepJoint(int direction);
+    /// What can be turned, from the root on, and how it is called.
+    std::vector<int> joints() const;
+    QString jointName(int joint) const;
+    /// Turns the chosen joint from where the key has it, about an axis of its parent (0 to 2);
+    /// `release` makes it a step of the history.
+    void turn(int axis, double radians);
+    /// Gives the chosen joint a local rotation, within its limits, as a step of the history.
+    void turnTo(const Eigen::Quaterniond& turn);
     /// Draws the handle to a place; `release` makes it a step of the history.
     void drag(Handle handle, const Eigen::Vector3d& place);
     void release();
+    /// Leaves what is being drawn as it was.
+    void cancelDrag();
+    /// The chosen handle a little way on; one after the other they are one step.
+    void nudge(const Eigen::Vector3d& way);
     /// Draws a handle to exactly that place, as a step of the history.
     void place(Handle handle, const Eigen::Vector3d& place);
     /// How far the dragged handle stayed behind the hand, metres.
@@ -124,9 +143,12 @@ Q_SIGNALS:
 
 private:
     void follow();
+    /// Whether the library is that of the project as it is.
+    bool isOfProject() const;
     void prepare();
     void readDraft();
     void make();
+    void showTurn(const Eigen::Quaterniond& turn);
     bool attempt(const std::function<void()>& act);
     std::optional<Pose> poseOfTake() const;
     void advance();
@@ -146,6 +168,8 @@ private:
     std::optional<int> key_;
     Handle handle_ = Handle::RightHand;
     Pins pins_ = feetPinned();
+    std::optional<int> joint_;
+    QString dragEdit_;             ///< what the history says of a drag
     std::optional<Pose> dragged_;  ///< the chosen key's pose while a hand draws at it
     double missing_ = 0;
     bool showsMotion_ = false;

@@ -6,6 +6,10 @@
 
 namespace kumite::studio {
 
+namespace {
+constexpr double kRing = 0.16;  // metres
+}
+
 KeyStage::KeyStage(KeySession& keys, HitSession& hit, StageView& stage, QObject* parent)
     : QObject(parent), keys_(keys), hit_(hit), stage_(stage) {
     connect(&hit_, &HitSession::changed, this, &KeyStage::show);
@@ -25,13 +29,28 @@ KeyStage::KeyStage(KeySession& keys, HitSession& hit, StageView& stage, QObject*
             [this](int index, const Eigen::Vector3d& place) {
                 if (!isShown()) return;
                 if (hit_.isOn()) {
-                    hit_.setTarget(place);
+                    hit_.drag(place);
                 } else {
                     keys_.drag(handles_[static_cast<std::size_t>(index)], place);
                 }
             });
     connect(&stage_, &StageView::handleReleased, this, [this] {
+        if (!isShown()) return;
+        if (hit_.isOn()) {
+            hit_.release();
+        } else {
+            keys_.release();
+        }
+    });
+    connect(&stage_, &StageView::ringTurned, this, [this](int ring, double angle) {
+        if (isShown() && !hit_.isOn()) keys_.turn(ring, angle);
+    });
+    connect(&stage_, &StageView::ringReleased, this, [this] {
         if (isShown() && !hit_.isOn()) keys_.release();
+    });
+    connect(&stage_, &StageView::dragCancelled, this, [this] {
+        hit_.cancelDrag();
+        keys_.cancelDrag();
     });
 }
 
@@ -57,32 +76,40 @@ void KeyStage::begin() {
 void KeyStage::show() {
     if (!isShown()) return;
     std::array<FigurePose, 2> poses;
-    std::vector<StageHandle> handles;
-    std::vector<StageBox> boxes;
+    StageHandles shown;
     handles_.clear();
     const Pose* pose = hit_.isOn() ? hit_.pose() : keys_.pose();
     if (hit_.isOn() && hit_.space() != nullptr) {
-        handles.push_back({hit_.target(), true, false});
-        boxes.push_back({hit_.space()->natural.low, hit_.space()->natural.high, true});
-        boxes.push_back({hit_.reach().low, hit_.reach().high, false});
+        shown.all.push_back({hit_.target(), true, false});
+        shown.boxes.push_back({hit_.space()->natural.low, hit_.space()->natural.high, true});
+        shown.boxes.push_back({hit_.reach().low, hit_.reach().high, false});
     }
     if (pose != nullptr) {
         JointFrames frames;
         jointFrames(*library_->rig, *pose, frames);
         for (const Eigen::Vector3d& joint : frames.positions)
             poses[0].joints.push_back(joint.cast<float>());
+        if (!hit_.isOn() && keys_.isEditable() && keys_.joint()) {
+            const int joint = *keys_.joint(), parent = library_->rig->joint(joint).parent;
+            const Eigen::Quaterniond axes = parent < 0
+                                                ? Eigen::Quaterniond::Identity()
+                                                : frames.turns[static_cast<std::size_t>(parent)];
+            for (int axis = 0; axis < 3; ++axis)
+                shown.rings.push_back({frames.positions[static_cast<std::size_t>(joint)],
+                                       axes * Eigen::Vector3d::Unit(axis), kRing});
+        }
         for (const Handle handle : allHandles()) {
             if (hit_.isOn()) break;
             const auto at =
                 keys_.isEditable() ? handlePoint(*library_->rig, *pose, handle) : std::nullopt;
             if (!at) continue;
             handles_.push_back(handle);
-            handles.push_back({*at, handle == keys_.handle(), keys_.pins()[handle]});
+            shown.all.push_back({*at, handle == keys_.handle(), keys_.pins()[handle]});
         }
     }
     const bool empty = poses[0].joints.empty();
     stage_.showLive(std::move(poses));
-    stage_.setHandles(std::move(handles), std::move(boxes));
+    stage_.setHandles(std::move(shown));
     if (!empty && !framed_) {
         stage_.frameAll();
         framed_ = true;

@@ -44,9 +44,8 @@ MotionBox::MotionBox(KeySession& keys, QWidget* parent)
       adjusted_(new QCheckBox(tr("joints adjusted"), this)),
       meet_(new QSlider(Qt::Horizontal, this)) {
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setContentsMargins(0, 8, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(headingLabel(tr("Motion"), this));
     text_->setWordWrap(true);
     text_->setProperty("role", "second");
     text_->setAccessibleName(tr("What the motion is made of"));

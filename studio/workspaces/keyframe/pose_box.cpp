@@ -67,7 +67,6 @@ PoseBox::PoseBox(KeySession& keys, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(headingLabel(tr("Key pose"), this));
     text_->setWordWrap(true);
     text_->setProperty("role", "second");
     text_->setAccessibleName(tr("The chosen key"));
