@@ -42,6 +42,8 @@ struct StageRing {
 struct StageGhost {
     int player = 0;
     std::vector<Eigen::Vector3f> joints;
+
+    bool operator==(const StageGhost&) const = default;
 };
 
 /// What a live view offers to a hand, and what is marked beside it. A handle is dragged over the

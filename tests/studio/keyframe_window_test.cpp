@@ -1,11 +1,14 @@
 // The Keyframe workspace in the real window: keys made, drawn, moved, and made into a motion.
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSlider>
+#include <QSpinBox>
 #include <QTabWidget>
 #include <QTest>
 
@@ -17,6 +20,7 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
+#include "studio/view3d/action_tiles.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/joint_box.h"
@@ -24,6 +28,7 @@
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/key_strip.h"
 #include "studio/workspaces/keyframe/motion_box.h"
+#include "studio/workspaces/keyframe/part_dialog.h"
 #include "studio/workspaces/keyframe/pose_box.h"
 #include "studio/workspaces/keyframe/pose_dialog.h"
 #include "tests/studio/synthetic_bout.h"
@@ -313,7 +318,8 @@ TEST_F(KeyframeTest, KeysBecomeAMotionThatIsKept) {
     ASSERT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
     EXPECT_TRUE(keys().isCurrent());
     EXPECT_EQ(keys().motion()->assembly.clip.frameCount(), 61);
-    tabs().setCurrentIndex(1);
+    press(Qt::Key_2);
+    EXPECT_EQ(tabs().currentIndex(), 1);
     auto* list = window_->findChild<MotionBox*>()->findChild<QListWidget*>();
     ASSERT_GT(list->count(), 1);
     EXPECT_TRUE(list->item(0)->text().startsWith(QStringLiteral("●")));
@@ -355,6 +361,162 @@ TEST_F(KeyframeTest, KeysBecomeAMotionThatIsKept) {
     EXPECT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
     EXPECT_EQ(session().document().project().takes.back().fighters.front().frames.size(), 61);
     EXPECT_TRUE(QFileInfo::exists(file("made.bvh")));
+}
+
+TEST_F(KeyframeTest, KeysAreRetimed) {
+    openWorkspace();
+    makeKeys();
+    press(Qt::Key_PageUp);
+    ASSERT_EQ(keys().key(), 30);
+    auto* box = window_->findChild<PoseBox*>();
+    auto* frame = box->findChild<QSpinBox*>();
+    frame->setValue(25);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 25, 60}));
+    frame->setValue(60);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 25, 60})) << "a key stands there";
+    EXPECT_EQ(frame->value(), 25);
+    for (auto* check : box->findChildren<QCheckBox*>()) {
+        if (check->text() == "and later keys") check->setChecked(true);
+    }
+    frame->setValue(30);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 30, 65}));
+    window_->stage().setFocus();
+    press(Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 66}));
+    for (auto* field : box->findChildren<QDoubleSpinBox*>()) {
+        if (!field->accessibleName().startsWith("Time from")) continue;
+        field->setValue(2);
+        EXPECT_EQ(field->value(), 1) << "ready for the next time";
+    }
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 101}));
+    window_->stage().setFocus();
+    press(Qt::Key_BracketLeft);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 94}));
+    session().document().undo();
+    session().document().undo();
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 66}));
+}
+
+TEST_F(KeyframeTest, NeighboursAndWhatIsNotAdjustedAreSeen) {
+    openWorkspace();
+    makeKeys();
+    press(Qt::Key_X);
+    press(Qt::Key_PageUp);
+    settle();
+    const QImage plain = window_->stage().picture();
+    press(Qt::Key_O);
+    EXPECT_EQ(keys().neighbours().size(), 2U);
+    const QImage ghosts = window_->stage().picture();
+    EXPECT_NE(ghosts, plain);
+    press(Qt::Key_O);
+    EXPECT_EQ(window_->stage().picture(), plain);
+    ASSERT_NE(keys().motion(), nullptr);
+    EXPECT_EQ(keys().motion()->direct.clip.frameCount(),
+              keys().motion()->assembly.clip.frameCount());
+    press(Qt::Key_V);
+    const QImage motion = window_->stage().picture();
+    press(Qt::Key_C);
+    EXPECT_TRUE(keys().directPose());
+    EXPECT_NE(window_->stage().picture(), motion);
+    press(Qt::Key_C);
+    EXPECT_EQ(window_->stage().picture(), motion);
+}
+
+TEST_F(KeyframeTest, APartComesFromAChosenPlace) {
+    openWorkspace();
+    makeKeys();
+    tabs().setCurrentIndex(1);
+    auto* box = window_->findChild<MotionBox*>();
+    auto* tiles = box->findChild<ActionTiles*>();
+    QComboBox* scope = nullptr;
+    for (auto* combo : box->findChildren<QComboBox*>()) {
+        if (combo->accessibleName() == "What is looked for") scope = combo;
+    }
+    ASSERT_NE(scope, nullptr);
+    const auto arm = static_cast<std::size_t>(BodyPart::RightArm);
+    scope->setCurrentIndex(scope->findData(static_cast<int>(arm)));
+    ASSERT_NE(keys().motion(), nullptr);
+    const PoseMatch wanted = keys().motion()->foundOfPart[arm].at(1);
+    ASSERT_GE(tiles->count(), 3) << "the keys and places like them";
+    settle();
+    QTest::mouseClick(tiles, Qt::LeftButton, {}, tiles->tileRect(2).center().toPoint());
+    settle();
+    EXPECT_FALSE(keys().draft().places[arm].empty());
+    ASSERT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
+    const auto& taken = keys().motion()->plan.parts[arm];
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->match.clip, wanted.match.clip);
+    EXPECT_NEAR(taken->match.frames.front(), wanted.match.frames.front(), 2);
+    EXPECT_TRUE(keys().draft().body.empty()) << "the body stays";
+    const auto place = keys().draft().places[arm];
+    window_->files().saveTo(file("keys.kumite"));
+    settle();
+    window_->files().open({file("keys.kumite")});
+    settle();
+    EXPECT_EQ(keys().draft().places[arm], place);
+    session().document().undo();
+}
+
+TEST_F(KeyframeTest, APartOfATakeIsReplaced) {
+    openWorkspace();
+    window_->stage().setFocus();
+    press(Qt::Key_R);
+    auto* dialog = window_->findChild<PartDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    const auto field = [&](const char* name) {
+        for (auto* each : dialog->findChildren<QSpinBox*>()) {
+            if (each->accessibleName() == name) return each;
+        }
+        return static_cast<QSpinBox*>(nullptr);
+    };
+    field("Last frame of the take that is changed")->setValue(60);
+    field("First frame of the take that is changed")->setValue(20);
+    field("Last frame of the take or clip that lends the part")->setValue(90);
+    field("First frame of the take or clip that lends the part")->setValue(60);
+    ASSERT_NE(dialog->result(), nullptr);
+    EXPECT_EQ(dialog->findChild<ActionTiles*>()->count(), 3);
+    const MotionLibrary& library = *keys().motions();
+    int index = -1;
+    for (auto* combo : dialog->findChildren<QComboBox*>()) {
+        if (combo->accessibleName() == "The take that is changed") index = combo->currentIndex();
+    }
+    ASSERT_GE(index, 0);
+    for (auto* combo : dialog->findChildren<QComboBox*>()) {
+        // The made fighters move with their legs.
+        if (combo->accessibleName() == "Part that is replaced")
+            combo->setCurrentIndex(combo->findData(static_cast<int>(BodyPart::LeftLeg)));
+    }
+    const Clip& take = library.motions[static_cast<std::size_t>(index)].clip;
+    const auto knee = static_cast<std::size_t>(*library.rig->roles[Role::LeftKnee]);
+    const Clip& made = *dialog->result();
+    ASSERT_EQ(made.frameCount(), take.frameCount());
+    EXPECT_GT(made.frames[40].turns[knee].angularDistance(take.frames[40].turns[knee]), 1e-3);
+    std::vector<int> parents;
+    for (const Rig::Joint& joint : library.rig->joints)
+        parents.push_back(joint.parent);
+    const auto parts = partsOfJoints(parents, library.rig->roles);
+    for (const std::size_t frame : {5U, 40U, 80U}) {
+        for (std::size_t j = 0; j < take.frames[frame].turns.size(); ++j) {
+            if (frame == 40 && parts[j] == BodyPart::LeftLeg) continue;
+            EXPECT_EQ(made.frames[frame].turns[j].coeffs(), take.frames[frame].turns[j].coeffs());
+        }
+        EXPECT_EQ(made.frames[frame].root, take.frames[frame].root);
+    }
+    field("First frame of the take that is changed")->setValue(61);
+    EXPECT_EQ(dialog->result(), nullptr) << "it would end before it begins";
+    field("First frame of the take that is changed")->setValue(20);
+    keepMotionAs(session(), keys().writing(), dialog->madeMotion(), file("edited.bvh"));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return session().document().project().takes.size() == 2; }, 10000));
+    EXPECT_TRUE(QFileInfo::exists(file("edited.bvh")));
+    QTest::keyClick(dialog, Qt::Key_Escape);
 }
 
 /// Strikes come with the demo bout and its labels.
@@ -423,6 +585,23 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
     QTest::keyClick(&window_->stage(), Qt::Key_Escape);
     QTest::mouseRelease(&window_->stage(), Qt::LeftButton, {}, held);
     EXPECT_EQ(hit.target(), aimed);
+    // At the opponent's body, a place of the recording.
+    hit.setAim(Role::Head);
+    ASSERT_NE(hit.opponent(), nullptr);
+    hit.setDistance(1.1);
+    const Eigen::Vector3d head = hit.target();
+    EXPECT_GT(head.y(), 1.2);
+    hit.setDistance(0.9);
+    EXPECT_NEAR(hit.target().z(), head.z() - 0.2, 1e-6);
+    const QPoint mark = window_->stage().handlePosition(3)->toPoint();
+    QTest::mouseClick(&window_->stage(), Qt::LeftButton, {}, mark);
+    EXPECT_TRUE(hit.aim());
+    EXPECT_NE(hit.aim(), Role::Head) << "a click on another of its marks";
+    EXPECT_LT(hit.target().y(), head.y());
+    session().document().undo();
+    EXPECT_EQ(hit.aim(), Role::Head);
+    hit.setAim(std::nullopt);
+    EXPECT_EQ(hit.opponent(), nullptr);
     // Far outside of what can be reached: it says so, and the nearest is shown.
     hit.setTarget({2.5, 2.4, -2.0});
     ASSERT_TRUE(hit.motion());

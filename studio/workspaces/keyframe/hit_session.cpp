@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <numbers>
 #include <utility>
 
+#include "core/editing/pose_handles.h"
 #include "core/motion/blend.h"
 #include "core/project/library_strikes.h"
 #include "studio/workspaces/keyframe/key_session.h"
@@ -82,6 +84,7 @@ void HitSession::readDraft() {
         draft_ = {};
         Q_EMIT failed(QString::fromUtf8(error.what()));
     }
+    placeOpponent();
     const bool isKnown =
         std::find(strikes_.begin(), strikes_.end(), draft_.strike) != strikes_.end();
     const std::string strike = isKnown            ? draft_.strike
@@ -101,8 +104,63 @@ void HitSession::readDraft() {
     show();
 }
 
+std::span<const Role> HitSession::aims() {
+    static constexpr Role kAims[] = {Role::Head,      Role::Neck,         Role::Chest,
+                                     Role::Pelvis,    Role::LeftShoulder, Role::RightShoulder,
+                                     Role::LeftElbow, Role::RightElbow,   Role::LeftHip,
+                                     Role::RightHip,  Role::LeftKnee,     Role::RightKnee};
+    return kAims;
+}
+
+/// Facing the striker at the distance; in the pose that the recording's playhead shows of the other
+/// player, of the only one where there is none.
+void HitSession::placeOpponent() {
+    opponent_.reset();
+    const auto library = keys_.motions();
+    if (!draft_.aim || library == nullptr || library->motions.empty()) return;
+    const Session& session = keys_.session();
+    const LibraryMotion* source = &library->motions.front();
+    int player = 0;
+    for (const LibraryMotion& motion : library->motions) {
+        if (motion.take != session.take()) continue;
+        source = &motion;
+        player = motion.player;
+        if (player != session.activePlayer()) break;
+    }
+    const bool isShown = source->take >= 0 && session.fighter(player) != nullptr;
+    const double seconds = isShown ? session.shownFrame(player) / source->sourceRate : 0.0;
+    Pose pose = poseAt(source->clip, std::min(seconds, source->clip.seconds()));
+    const double turn =
+        std::numbers::pi - headingOf(*library->rig, pose).value_or(std::numbers::pi);
+    pose.turns[0] = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY()) * pose.turns[0];
+    const auto pelvis = handlePoint(*library->rig, pose, Handle::Hips);
+    if (!pelvis) return;
+    pose.root += Eigen::Vector3d(-pelvis->x(), 0, draft_.distance - pelvis->z());
+    opponent_ = std::move(pose);
+}
+
+void HitSession::setAim(std::optional<Role> aim) {
+    HitDraft draft = draft_;
+    draft.strike = strike_;
+    if (!aim && ready_ != nullptr) draft.target = target_;
+    draft.aim = aim;
+    change(aim ? tr("Aim at the opponent") : tr("Aim at a place"), draft);
+}
+
+void HitSession::setDistance(double metres) {
+    HitDraft draft = draft_;
+    draft.distance = metres;
+    change(tr("Opponent %1 m away").arg(metres, 0, 'f', 2), draft);
+}
+
 Eigen::Vector3d HitSession::wantedTarget() const {
     const StrikeSpace& space = ready_->space;
+    const auto joint = opponent_ && draft_.aim ? space.rig->roles[*draft_.aim] : std::nullopt;
+    if (joint) {
+        JointFrames frames;
+        jointFrames(*space.rig, *opponent_, frames);
+        return frames.positions[static_cast<std::size_t>(*joint)];
+    }
     return draft_.target.value_or(space.examples[static_cast<std::size_t>(space.reference)].point);
 }
 

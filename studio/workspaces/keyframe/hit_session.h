@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,16 @@ public:
     void drag(const Eigen::Vector3d& target);
     void release();
     void cancelDrag();
+    /// What the opponent can be hit at.
+    static std::span<const Role> aims();
+    std::optional<Role> aim() const { return draft_.aim; }
+    /// Aims at a joint of the opponent, who stands as the recording's playhead shows it; nothing:
+    /// at the place where the target is.
+    void setAim(std::optional<Role> aim);
+    double distance() const { return draft_.distance; }
+    void setDistance(double metres);
+    /// The opponent in the striker's frame; null while nothing of it is aimed at.
+    const Pose* opponent() const { return opponent_ ? &*opponent_ : nullptr; }
     const std::optional<HitMotion>& motion() const { return motion_; }
     MadeMotion madeMotion() const;
 
@@ -76,6 +87,7 @@ private:
     void takeLibrary();
     void readDraft();
     Eigen::Vector3d wantedTarget() const;
+    void placeOpponent();
     void change(const QString& edit, const HitDraft& draft);
     void prepare();
     void solve();
@@ -86,6 +98,7 @@ private:
     JobRunner jobs_;
     HitDraft draft_;
     bool dragging_ = false;
+    std::optional<Pose> opponent_;
     QTimer timer_;
     QElapsedTimer clock_;
     bool on_ = false;

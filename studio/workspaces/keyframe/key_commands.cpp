@@ -8,11 +8,14 @@
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_session.h"
+#include "studio/workspaces/keyframe/part_dialog.h"
 #include "studio/workspaces/keyframe/pose_dialog.h"
 
 namespace kumite::studio {
 
 namespace {
+
+constexpr double kCloser = 0.9;
 
 QString text(const char* source) {
     return QApplication::translate("kumite::studio::KeyCommands", source);
@@ -71,6 +74,20 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, S
                   [session] { session->setShowsMotion(!session->showsMotion()); },
                   [session, ready] { return ready() && session->motion() != nullptr; },
                   [session] { return session->showsMotion(); }});
+    commands.add({"keys.direct",
+                  menu,
+                  text("Beside it the motion without a&djustment"),
+                  {QKeySequence("C")},
+                  [session] { session->setShowsDirect(!session->showsDirect()); },
+                  [session, ready] { return ready() && session->motion() != nullptr; },
+                  [session] { return session->showsDirect(); }});
+    commands.add({"keys.neighbours",
+                  menu,
+                  text("Keys before and after as &ghosts"),
+                  {QKeySequence("O")},
+                  [session] { session->setShowsNeighbours(!session->showsNeighbours()); },
+                  any,
+                  [session] { return session->showsNeighbours(); }});
     commands.add({"keys.hit",
                   menu,
                   text("&Hit a target"),
@@ -97,6 +114,20 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, S
     add(
         "keys.later", menu, text("Move the key later"), {QKeySequence("Alt+Right")},
         [session] { session->moveKey(*session->key(), *session->key() + 1); }, chosen);
+    add(
+        "keys.earlierAll", menu, text("Move the key and later ones earlier"),
+        {QKeySequence("Alt+Shift+Left")},
+        [session] { session->shiftKeys(*session->key(), *session->key() - 1); }, chosen);
+    add(
+        "keys.laterAll", menu, text("Move the key and later ones later"),
+        {QKeySequence("Alt+Shift+Right")},
+        [session] { session->shiftKeys(*session->key(), *session->key() + 1); }, chosen);
+    add(
+        "keys.closer", menu, text("Later keys closer together"), {QKeySequence("[")},
+        [session] { session->retime(kCloser); }, chosen);
+    add(
+        "keys.apart", menu, text("Later keys farther apart"), {QKeySequence("]")},
+        [session] { session->retime(1 / kCloser); }, chosen);
     add(
         "keys.copy", menu, text("&Copy the key to the playhead, or behind the last"),
         {QKeySequence("Ctrl+D")}, [session] { session->copyKey(); }, chosen);
@@ -155,6 +186,9 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, S
     add(
         "keys.folder", menu, text("Add clips of a f&older…"), {},
         [session, view] { askForClipFolder(session->session(), view->window()); }, open);
+    add(
+        "keys.part", menu, text("&Replace a part of a take…"), {QKeySequence("R")},
+        [session, view] { (new PartDialog(*session, view->window()))->open(); }, ready);
     const auto writable = [session, tool] {
         return (tool->isOn() ? tool->motion().has_value() : session->isCurrent()) &&
                !session->writing().isRunning();

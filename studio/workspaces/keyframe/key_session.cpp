@@ -185,7 +185,16 @@ void KeySession::make() {
                 motion->plan =
                     planAssembly(*library, draft.track, choicesOf(*library->library, draft),
                                  progress.part(0.4, 0.8));
+                for (const BodyPart part : allParts()) {
+                    progress.update(0.8 + 0.03 * static_cast<double>(part));
+                    motion->foundOfPart[static_cast<std::size_t>(part)] =
+                        findSimilar(*library, draft.track, part, settings);
+                }
                 motion->assembly = assemble(*library, draft.track, motion->plan, draft.assembly);
+                AssemblySettings plain = draft.assembly;
+                plain.adjusted = false;
+                plain.meetKeys = 0;
+                motion->direct = assemble(*library, draft.track, motion->plan, plain);
                 made.motion = std::move(motion);
             } catch (const Cancelled&) {
                 throw;
@@ -242,6 +251,37 @@ void KeySession::setShowsMotion(bool motion) {
     frame_ = std::clamp(frame_, double(firstFrame()), double(lastFrame()));
     show();
     Q_EMIT stateChanged();
+}
+
+void KeySession::setShowsNeighbours(bool on) {
+    showsNeighbours_ = on;
+    show();
+    Q_EMIT stateChanged();
+}
+
+std::vector<Pose> KeySession::neighbours() const {
+    const KeyPose *before = nullptr, *after = nullptr;
+    for (const KeyPose& key : draft_.track.keys) {
+        if (key.frame < frame_ - 1e-6) before = &key;
+        if (key.frame > frame_ + 1e-6 && after == nullptr) after = &key;
+    }
+    std::vector<Pose> poses;
+    if (before != nullptr) poses.push_back(before->pose);
+    if (after != nullptr) poses.push_back(after->pose);
+    return poses;
+}
+
+void KeySession::setShowsDirect(bool on) {
+    showsDirect_ = on;
+    if (on) setShowsMotion(true);
+    show();
+    Q_EMIT stateChanged();
+}
+
+std::optional<Pose> KeySession::directPose() const {
+    if (!showsDirect_ || !showsMotion_ || motion_ == nullptr) return std::nullopt;
+    const Clip& clip = motion_->direct.clip;
+    return poseAt(clip, std::clamp((frame_ - firstFrame()) / rate(), 0.0, clip.seconds()));
 }
 
 bool KeySession::isEditable() const {

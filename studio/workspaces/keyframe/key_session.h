@@ -26,8 +26,10 @@ struct KeySource {
 /// A motion that was made of the keys.
 struct KeyMotion {
     std::vector<PoseMatch> found;  ///< for the whole body, the best first
+    std::array<std::vector<PoseMatch>, kBodyPartCount> foundOfPart;
     AssemblyPlan plan;
     Assembly assembly;
+    Assembly direct;  ///< the same without any adjustment
 };
 
 /// What the Keyframe workspace works on. The keys are the project's draft: every change of them is
@@ -71,6 +73,10 @@ public:
     void usePose(const Pose& pose, const QString& edit);
     void removeKey();
     void moveKey(int from, int to);
+    /// The same of a key and all later ones.
+    void shiftKeys(int from, int to);
+    /// All later keys that many times as far from the chosen one.
+    void retime(double factor);
     void copyKey();
     void mirrorKey();
     void setEasing(Easing easing);
@@ -115,6 +121,15 @@ public:
     /// The keys themselves, or the motion made of them.
     bool showsMotion() const { return showsMotion_; }
     void setShowsMotion(bool motion);
+
+    /// The keys before and after what is shown as ghosts.
+    bool showsNeighbours() const { return showsNeighbours_; }
+    void setShowsNeighbours(bool on);
+    std::vector<Pose> neighbours() const;
+    /// Beside the motion what it would be without adjustment.
+    bool showsDirect() const { return showsDirect_; }
+    void setShowsDirect(bool on);
+    std::optional<Pose> directPose() const;
 
     /// The shown pose; null where there is none.
     const Pose* pose() const { return shown_ ? &*shown_ : nullptr; }
@@ -172,7 +187,7 @@ private:
     QString dragEdit_;             ///< what the history says of a drag
     std::optional<Pose> dragged_;  ///< the chosen key's pose while a hand draws at it
     double missing_ = 0;
-    bool showsMotion_ = false;
+    bool showsMotion_ = false, showsNeighbours_ = false, showsDirect_ = false;
     double frame_ = 0;
     std::optional<Pose> shown_;
 };

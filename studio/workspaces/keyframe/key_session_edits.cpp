@@ -108,6 +108,20 @@ void KeySession::moveKey(int from, int to) {
     choose(to);
 }
 
+void KeySession::shiftKeys(int from, int to) {
+    if (from == to || to < 0) return;
+    change(tr("Move the key and later ones to frame %1").arg(to), [&](KeyDraft& draft) {
+        draft.track = withShiftedKeys(std::move(draft.track), from, to);
+    });
+    choose(draft_.track.find(to) ? to : from);
+}
+
+void KeySession::retime(double factor) {
+    if (!key_ || factor == 1) return;
+    change(tr("Later keys %1 times as far").arg(factor, 0, 'g', 3),
+           [&](KeyDraft& draft) { draft.track = retimed(std::move(draft.track), *key_, factor); });
+}
+
 void KeySession::copyKey() {
     if (!key_) return;
     const int to = std::max(0, static_cast<int>(std::lround(frame_)));
