@@ -245,8 +245,8 @@ void MainWindow::addKeyframeWorkspace() {
     auto* box = new QVBoxLayout(below);
     box->setContentsMargins(0, 0, 0, 0);
     box->setSpacing(0);
-    box->addWidget(new KeyBar(*keys_, *commands_, below));
-    box->addWidget(new KeyStrip(*keys_, below), 1);
+    box->addWidget(new KeyBar(*keys_, *hit_, *commands_, below));
+    box->addWidget(new KeyStrip(*keys_, *hit_, below), 1);
     new KeyStage(*keys_, *hit_, *stage_, this);
     const auto follow = [this, below] {
         const bool shown = workspaces_->current() == QLatin1String("keyframe");

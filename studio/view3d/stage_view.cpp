@@ -81,6 +81,7 @@ void StageView::beginLive(const QObject* owner, std::array<std::vector<Bone>, 2>
     setMeasuring(false);
     live_ = owner;
     scene_->handles = {};
+    scene_->drag = {};
     followed_.reset();
     scene_->bones = std::move(bones);
     scene_->stage.clearGhosts();
@@ -104,11 +105,21 @@ void StageView::endLive(const QObject* owner) {
     if (live_ != owner) return;
     live_ = nullptr;
     scene_->handles = {};
+    scene_->drag = {};
     followed_.reset();
     bodiesChanged();
     frameAll();
     Q_EMIT switchesChanged();
     showCaption();
+}
+
+void StageView::setLiveGhosts(const std::vector<StageGhost>& ghosts) {
+    if (!live_) return;
+    scene_->stage.clearGhosts();
+    for (const StageGhost& ghost : ghosts)
+        scene_->stage.addGhost(ghost.player, scene_->bones[static_cast<std::size_t>(ghost.player)],
+                               ghost.joints);
+    scene_->canvas->markDirty();
 }
 
 void StageView::setPointingAtFloor(bool on) {

@@ -10,6 +10,7 @@
 #include "core/base/files.h"
 #include "core/formats/gltf.h"
 #include "core/project/kept_clip.h"
+#include "core/project/made_takes.h"
 #include "studio/app/folders.h"
 #include "studio/app/questions.h"
 #include "studio/app/session.h"
@@ -62,7 +63,7 @@ void keepMotionAs(Session& session, JobRunner& writing, const MadeMotion& motion
             // The project may have changed since: the take is added to what it is now.
             const bool done =
                 session.document().apply(Document::ProjectEdit([&](const Project& project) {
-                    MaybeEdit edit = addTake(project, take);
+                    MaybeEdit edit = addMadeTake(project, take);
                     if (edit) edit->name = kept.edit.name;
                     return edit;
                 }));
