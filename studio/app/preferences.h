@@ -8,13 +8,13 @@ namespace kumite::studio {
 
 /// What a user wants of every project.
 struct PreferenceValues {
-    QString language;  ///< as useLanguage takes it; empty: the system's
     ThemeChoice theme = ThemeChoice::System;
     int autosaveSeconds = 30;    ///< 5 … 600
     int leapFrames = 10;         ///< frames that Shift+arrow goes; 2 … 1000
     double playbackSpeed = 1.0;  ///< of a bout that is opened; 0.1 … 4
     bool looping = false;        ///< whether a bout that is opened loops
     double mouseSpeed = 1.0;     ///< turning and zooming in the 3D view; 0.25 … 4
+    QString language = {};       ///< as useLanguage takes it; empty: the system's
 
     bool operator==(const PreferenceValues&) const = default;
 };
