@@ -6991,7 +6991,7 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>left</source>
-        <translation>左</translation>
+        <translation>待審</translation>
     </message>
     <message>
         <source>Suspects that nobody has decided yet. Every decision teaches what is suspect, so that others may be cleared, too</source>

@@ -102,11 +102,15 @@ TEST_P(EveryLanguage, HasEveryTextOnceAndWhole) {
             EXPECT_FALSE(form.isEmpty());
             // A singular may say "one" in words.
             const bool singular = entry.plural && form == entry.forms.front() && !oneForm;
-            if (!singular) EXPECT_EQ(places(form), places(entry.source)) << form.toStdString();
+            if (!singular) {
+                EXPECT_EQ(places(form), places(entry.source)) << form.toStdString();
+            }
             EXPECT_EQ(form.contains(QRegularExpression("&\\w")),
                       entry.source.contains(QRegularExpression("&\\w")))
                 << form.toStdString();
-            if (!maySame(entry.source)) EXPECT_NE(form, entry.source);
+            if (!maySame(entry.source)) {
+                EXPECT_NE(form, entry.source);
+            }
         }
     }
 }
