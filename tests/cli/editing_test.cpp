@@ -221,5 +221,21 @@ TEST_F(EditingCommands, KeyframesRefusesWhatItCannotDo) {
         1);
 }
 
+TEST_F(EditingCommands, PartReplacesAnArm) {
+    const std::string out = path("part.bvh");
+    const auto run = [&](const std::string& take, const std::string& part,
+                         const std::string& from) {
+        return kumite(
+            {"part", player1, "--take", take, "--part", part, "--from", from, "--out", out});
+    };
+    const Result result = run("player1@20:60", "right_arm", "player1@100:140");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("another right_arm"), std::string::npos) << result.out;
+    EXPECT_TRUE(std::filesystem::exists(out));
+    EXPECT_EQ(run("player1@20:60", "tail", "player1@100:140").code, 2);
+    EXPECT_EQ(run("player1@20:60", "trunk", "nobody").code, 1);
+    EXPECT_EQ(run("player1@60:20", "trunk", "player1").code, 1);
+}
+
 }  // namespace
 }  // namespace kumite
