@@ -587,6 +587,7 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
     ASSERT_NE(hit.opponent(), nullptr);
     hit.setDistance(1.1);
     const Eigen::Vector3d head = hit.target();
+    EXPECT_LT((*hitDraftOf(session().document().project()).target - head).norm(), 1e-9);
     EXPECT_GT(head.y(), 1.2);
     hit.setDistance(0.9);
     EXPECT_NEAR(hit.target().z(), head.z() - 0.2, 1e-6);
