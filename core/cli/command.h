@@ -46,6 +46,7 @@ void addForce(CLI::App& app, Action& action);
 void addHit(CLI::App& app, Action& action);
 void addRate(CLI::App& app, Action& action);
 void addKeyframes(CLI::App& app, Action& action);
+void addPart(CLI::App& app, Action& action);
 void addSegment(CLI::App& app, Action& action);
 void addCorrect(CLI::App& app, Action& action);
 void addExport(CLI::App& app, Action& action);

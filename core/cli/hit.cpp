@@ -6,6 +6,7 @@
 #include "core/editing/hit_region.h"
 #include "core/formats/bvh.h"
 #include "core/formats/json_text.h"
+#include "core/project/hit_draft.h"
 #include "core/project/library_strikes.h"
 
 namespace kumite::cli {
@@ -50,8 +51,18 @@ Vector3d reachedIn(const Motion& motion, const MotionLibrary& library, int joint
 void runHit(const Options& o, const Streams& streams) {
     const auto method = methodFromName(o.method);
     if (!method) throw UsageError("\"" + o.method + "\" is no method: full, partial or best.");
-    const Vector3d target = parseTarget(o.target);
     StrikeRequest request = o.request;
+    std::optional<Vector3d> wanted;
+    if (!o.target.empty()) wanted = parseTarget(o.target);
+    if (request.strike.empty() || !wanted) {
+        const auto project = projectWithDraft(o.library, "hit");
+        const HitDraft draft = project ? hitDraftOf(*project) : HitDraft{};
+        if (request.strike.empty()) request.strike = draft.strike;
+        if (!wanted) wanted = draft.target;
+        if (request.strike.empty() || !wanted)
+            throw UsageError("Name --strike and --target, or a project that holds them.");
+    }
+    const Vector3d target = *wanted;
     if (!o.limb.empty()) {
         request.striker = strikerFromName(o.limb);
         if (!request.striker)
@@ -75,7 +86,7 @@ void runHit(const Options& o, const Streams& streams) {
         printFindings({warning(fmt::format(
                           "The target cannot be reached: the nearest point that \"{}\" "
                           "reaches is {:.1f} cm away, at {:.2f},{:.2f},{:.2f}.",
-                          o.request.strike, 100 * error, reached.x(), reached.y(), reached.z()))},
+                          request.strike, 100 * error, reached.x(), reached.y(), reached.z()))},
                       streams);
     }
     if (!o.json) {
@@ -120,16 +131,15 @@ void addHit(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "hit", "Makes a strike hit a target: examples are blended, whole or by body parts.");
     addLibraryOptions(*command, o->library);
-    command
-        ->add_option("--strike", o->request.strike,
-                     "the examples: an aspect (right_kick, right_kick:up) or clips, a,b,…")
-        ->required();
+    command->add_option("--strike", o->request.strike,
+                        "the examples: an aspect (right_kick, right_kick:up) or clips, a,b,…; "
+                        "without it what a project among LIB holds, as of the target");
     command->add_option("--player", o->request.player, "only fighter 1 or 2 of the projects' takes")
         ->check(CLI::Range(1, 2));
     command->add_option("--limb", o->limb,
                         "what strikes: left_hand, right_hand, left_foot, right_foot; else the "
                         "aspect's, or the fastest");
-    command->add_option("--target", o->target, "x,y,z in metres")->required();
+    command->add_option("--target", o->target, "x,y,z in metres");
     command->add_option("--method", o->method, "full, partial or best")->capture_default_str();
     command->add_option("--out", o->out, "the .bvh to write")->required();
     command->add_flag("--json", o->json, "one JSON object on standard output");

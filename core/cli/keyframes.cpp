@@ -11,6 +11,7 @@
 #include "core/editing/key_file.h"
 #include "core/formats/json_text.h"
 #include "core/motion/blend.h"
+#include "core/project/key_draft.h"
 #include "core/project/library.h"
 
 namespace kumite::cli {
@@ -22,7 +23,7 @@ struct Options {
     LibraryOptions library{{}, 60};
     std::string keys, out, parts, body;
     bool direct = false, adjusted = false, json = false;
-    double meet = 0;
+    std::optional<double> meet;
 };
 
 ClipRange rangeOf(const MotionLibrary& library, const std::string& clip) {
@@ -148,20 +149,46 @@ void printText(const KeyLibrary& library, const KeyTrack& track, const AssemblyP
                                made.clip.frameCount(), made.clip.rate);
 }
 
+struct Query {
+    KeyTrack track;
+    AssemblyChoices choices;
+    AssemblySettings settings;
+};
+
+Query namedQuery(const MotionLibrary& library, const Options& o) {
+    Query query;
+    query.choices = parseChoices(library, o);
+    query.settings.adjusted = !o.direct;
+    query.settings.meetKeys = o.meet.value_or(0);
+    const MappedFile file(o.keys);
+    query.track =
+        parseKeys(file.bytes(), o.keys, library.rig,
+                  [&](const std::string& clip, int at) { return poseOf(library, clip, at); });
+    return query;
+}
+
+/// What a project among the sources holds; what the options say goes first.
+Query heldQuery(const std::shared_ptr<const MotionLibrary>& library, const Options& o) {
+    const auto project = projectWithDraft(o.library, "keys");
+    if (!project) throw UsageError("Name --keys, or a project that holds key poses.");
+    const KeyDraft draft = keyDraftOf(*project, library->rig, library->rate);
+    Query query{draft.track, choicesOf(*library, draft), draft.assembly};
+    const AssemblyChoices said = parseChoices(*library, o);
+    if (!o.body.empty()) query.choices.body = said.body;
+    if (!o.parts.empty()) query.choices.parts = said.parts;
+    if (o.direct || o.adjusted) query.settings.adjusted = o.adjusted;
+    if (o.meet) query.settings.meetKeys = *o.meet;
+    return query;
+}
+
 void runKeyframes(const Options& o, const Streams& streams) {
     if (o.direct && o.adjusted) throw UsageError("Either --direct or --adjusted.");
-    refuseToOverwrite(o.out, {o.keys});
+    if (!o.keys.empty()) refuseToOverwrite(o.out, {o.keys});
     const auto motions = openLibrary(o.library, o.out, streams);
-    const AssemblyChoices choices = parseChoices(*motions, o);
-    const MappedFile file(o.keys);
-    const KeyTrack track =
-        parseKeys(file.bytes(), o.keys, motions->rig,
-                  [&](const std::string& clip, int at) { return poseOf(*motions, clip, at); });
+    const auto [track, choices, settings] =
+        o.keys.empty() ? heldQuery(motions, o) : namedQuery(*motions, o);
     const KeyLibrary library = keyLibrary(motions, {}, streams.progress("finding features"));
     const AssemblyPlan plan = planAssembly(library, track, choices, streams.progress("searching"));
-    AssemblySettings settings;
-    settings.adjusted = !o.direct;
-    settings.meetKeys = o.meet;
     const Assembly made = assemble(library, track, plan, settings);
     writeClip(*motions, made.clip, o.out);
     if (o.json) {
@@ -203,7 +230,9 @@ void addKeyframes(CLI::App& app, Action& action) {
     CLI::App* command = app.add_subcommand(
         "keyframes", "Makes a motion of a few key poses, assembled from a library's body parts.");
     addLibraryOptions(*command, o->library);
-    command->add_option("--keys", o->keys, "the key poses, keys.json (see below)")->required();
+    command->add_option(
+        "--keys", o->keys,
+        "the key poses, keys.json (see below); without it what a project among LIB holds");
     command->add_option("--out", o->out, "the .bvh to write")->required();
     command->add_option("--body", o->body, "clip that the whole body comes from; else the best");
     command->add_option("--parts", o->parts,
@@ -212,9 +241,9 @@ void addKeyframes(CLI::App& app, Action& action) {
     command->add_flag("--direct", o->direct, "junction joints as retrieved");
     command->add_flag("--adjusted", o->adjusted,
                       "junction joints with the keys' mean and deviation (default)");
-    command->add_option("--meet", o->meet, "0 to 1: how far the result is drawn to the key poses")
-        ->check(CLI::Range(0.0, 1.0))
-        ->capture_default_str();
+    command
+        ->add_option("--meet", o->meet, "0 to 1: how far the result is drawn to the key poses (0)")
+        ->check(CLI::Range(0.0, 1.0));
     command->add_flag("--json", o->json, "one JSON object on standard output");
     command->footer(kFooter);
     command->callback(

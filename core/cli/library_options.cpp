@@ -1,7 +1,11 @@
 #include "core/cli/library_options.h"
 
+#include <filesystem>
+
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/project/kept_clip.h"
+#include "core/project/project_file.h"
 
 namespace kumite::cli {
 
@@ -22,6 +26,18 @@ std::shared_ptr<const MotionLibrary> openLibrary(const LibraryOptions& options,
     if (!out.empty()) refuseToOverwrite(out, loaded.files);
     printFindings(loaded.findings, streams);
     return std::make_shared<const MotionLibrary>(std::move(loaded.library));
+}
+
+std::optional<Project> projectWithDraft(const LibraryOptions& options, const std::string& kind) {
+    for (const std::string& source : options.sources) {
+        const std::filesystem::path path(source);
+        if (lowerCase(path.extension().string()) != ".kumite") continue;
+        const MappedFile file(source);
+        Project project =
+            parseProject(file.bytes(), source, std::filesystem::absolute(path).parent_path());
+        if (project.drafts.count(kind) > 0) return project;
+    }
+    return std::nullopt;
 }
 
 void addGraphOptions(CLI::App& command, GraphOptions& options) {

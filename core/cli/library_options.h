@@ -23,6 +23,9 @@ void addLibraryOptions(CLI::App& command, LibraryOptions& options);
 std::shared_ptr<const MotionLibrary> openLibrary(const LibraryOptions& options,
                                                  const std::string& out, const Streams& streams);
 
+/// The first of the sources that is a project and holds a draft of that kind ("keys").
+std::optional<Project> projectWithDraft(const LibraryOptions& options, const std::string& kind);
+
 /// How the pose clusters and the graph over them are made.
 struct GraphOptions {
     std::optional<double> threshold;

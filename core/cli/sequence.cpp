@@ -1,24 +1,14 @@
-#include <filesystem>
-
-#include "core/base/files.h"
-#include "core/base/text.h"
 #include "core/cli/library_options.h"
 #include "core/cli/sequence_report.h"
-#include "core/project/project_file.h"
 #include "core/project/sequence_draft.h"
 
 namespace kumite::cli {
 namespace {
 
 /// The sequence that one of the sources, a project, holds.
-SequenceDraft draftOf(const std::vector<std::string>& sources) {
-    for (const std::string& source : sources) {
-        if (lowerCase(std::filesystem::path(source).extension().string()) != ".kumite") continue;
-        const MappedFile file(source);
-        const auto folder = std::filesystem::absolute(source).parent_path();
-        SequenceDraft draft = sequenceDraftOf(parseProject(file.bytes(), source, folder));
-        if (!draft.blocks.empty()) return draft;
-    }
+SequenceDraft draftOf(const LibraryOptions& options) {
+    if (const auto project = projectWithDraft(options, "sequence"))
+        return sequenceDraftOf(*project);
     throw UsageError(
         "Nothing to play: name clips with --play, or a project that holds a sequence.");
 }
@@ -54,7 +44,7 @@ void addSequence(CLI::App& app, Action& action) {
             const auto library = openLibrary(o->library, o->out, streams);
             const auto graph = openGraph(library, o->graph, streams);
             const Sequence sequence = o->play.empty()
-                                          ? sequenceOf(*library, draftOf(o->library.sources))
+                                          ? sequenceOf(*library, draftOf(o->library))
                                           : sequenceOf(*library, o->play, o->transition);
             const SequenceMotion motion =
                 makeSequence(graph, sequence, streams.progress("playing"));

@@ -418,6 +418,7 @@ QStringList MainWindow::keysHint() const {
         {{"keys.previous", "keys.next"}, tr("key"), !hit_->isOn()},
         {{"keys.take"}, tr("take the recording's pose"), keys_->isEditable() && !hit_->isOn()},
         {{"keys.nextHandle"}, tr("handle"), keys_->isEditable() && !hit_->isOn()},
+        {{"keys.nextJoint"}, tr("joint"), keys_->isEditable() && !hit_->isOn()},
         {{"keys.pin"}, tr("pin it"), keys_->isEditable() && !hit_->isOn()},
         {{"keys.mirror"}, tr("mirror"), keys_->isEditable() && !hit_->isOn()},
         {{"keys.hit"}, hit_->isOn() ? tr("back to the keys") : tr("hit a target")},

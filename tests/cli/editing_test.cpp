@@ -238,5 +238,49 @@ TEST_F(EditingCommands, APageToRateHoldsEveryKindAndTheSameSeedMakesItAgain) {
     EXPECT_NE(none.err.find("left_elbow"), std::string::npos) << none.err;
 }
 
+TEST_F(EditingCommands, WhatAProjectHoldsNeedsNoOptions) {
+    const std::string out = path("held.bvh");
+    EXPECT_EQ(kumite({"hit", project, "--out", out}).code, 2);
+    EXPECT_EQ(kumite({"keyframes", project, "--out", out}).code, 2);
+    auto text = nlohmann::json::parse(test::readText(project));
+    text["drafts"]["hit"] = {{"strike", "right_punch"}, {"target", {-0.05, 1.35, 0.6}}};
+    text["drafts"]["keys"] = {
+        {"track",
+         {{"key_poses", 1},
+          {"rate", 60},
+          {"keys",
+           {{{"frame", 0}}, {{"frame", 20}, {"handles", {{"right_hand", {0, 1.3, 0.5}}}}}}}}},
+        {"meet", 1.0}};
+    // Beside the recordings that it names.
+    const std::string held =
+        (std::filesystem::path(project).parent_path() / "held.kumite").string();
+    test::writeText(held, text.dump());
+    const auto hit = json({"hit", held, "--out", out, "--json"});
+    EXPECT_LT((pointOf(hit["target"]) - Vector3d(-0.05, 1.35, 0.6)).norm(), 1e-9);
+    const auto keys = json({"keyframes", held, "--out", out, "--json"});
+    EXPECT_EQ(keys["frames"], 21);
+    const Written met(out);
+    EXPECT_EQ(kumite({"keyframes", held, "--meet", "0", "--out", out}).code, 0);
+    const Written found(out);
+    EXPECT_GT((met.at(20, Role::RightWrist) - found.at(20, Role::RightWrist)).norm(), 0.01)
+        << "options go first";
+}
+
+TEST_F(EditingCommands, PartReplacesAnArm) {
+    const std::string out = path("part.bvh");
+    const auto run = [&](const std::string& take, const std::string& part,
+                         const std::string& from) {
+        return kumite(
+            {"part", player1, "--take", take, "--part", part, "--from", from, "--out", out});
+    };
+    const Result result = run("player1@20:60", "right_arm", "player1@100:140");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("another right_arm"), std::string::npos) << result.out;
+    EXPECT_TRUE(std::filesystem::exists(out));
+    EXPECT_EQ(run("player1@20:60", "tail", "player1@100:140").code, 2);
+    EXPECT_EQ(run("player1@20:60", "trunk", "nobody").code, 1);
+    EXPECT_EQ(run("player1@60:20", "trunk", "player1").code, 1);
+}
+
 }  // namespace
 }  // namespace kumite

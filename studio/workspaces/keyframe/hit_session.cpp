@@ -84,7 +84,7 @@ void HitSession::readDraft() {
         draft_ = {};
         Q_EMIT failed(QString::fromUtf8(error.what()));
     }
-    placeOpponent();
+    opponent_ = opponentOf(draft_);
     const bool isKnown =
         std::find(strikes_.begin(), strikes_.end(), draft_.strike) != strikes_.end();
     const std::string strike = isKnown            ? draft_.strike
@@ -114,10 +114,9 @@ std::span<const Role> HitSession::aims() {
 
 /// Facing the striker at the distance; in the pose that the recording's playhead shows of the other
 /// player, of the only one where there is none.
-void HitSession::placeOpponent() {
-    opponent_.reset();
+std::optional<Pose> HitSession::opponentOf(const HitDraft& draft) const {
     const auto library = keys_.motions();
-    if (!draft_.aim || library == nullptr || library->motions.empty()) return;
+    if (!draft.aim || library == nullptr || library->motions.empty()) return std::nullopt;
     const Session& session = keys_.session();
     const LibraryMotion* source = &library->motions.front();
     int player = 0;
@@ -134,9 +133,9 @@ void HitSession::placeOpponent() {
         std::numbers::pi - headingOf(*library->rig, pose).value_or(std::numbers::pi);
     pose.turns[0] = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY()) * pose.turns[0];
     const auto pelvis = handlePoint(*library->rig, pose, Handle::Hips);
-    if (!pelvis) return;
-    pose.root += Eigen::Vector3d(-pelvis->x(), 0, draft_.distance - pelvis->z());
-    opponent_ = std::move(pose);
+    if (!pelvis) return std::nullopt;
+    pose.root += Eigen::Vector3d(-pelvis->x(), 0, draft.distance - pelvis->z());
+    return pose;
 }
 
 void HitSession::setAim(std::optional<Role> aim) {
@@ -144,24 +143,32 @@ void HitSession::setAim(std::optional<Role> aim) {
     draft.strike = strike_;
     if (!aim && ready_ != nullptr) draft.target = target_;
     draft.aim = aim;
+    draft.target = targetOf(draft);  // for whoever does not know the playhead
     change(aim ? tr("Aim at the opponent") : tr("Aim at a place"), draft);
 }
 
 void HitSession::setDistance(double metres) {
     HitDraft draft = draft_;
     draft.distance = metres;
+    draft.target = targetOf(draft);
     change(tr("Opponent %1 m away").arg(metres, 0, 'f', 2), draft);
+}
+
+std::optional<Eigen::Vector3d> HitSession::targetOf(const HitDraft& draft) const {
+    const auto opponent = opponentOf(draft);
+    if (!opponent) return draft.target;
+    const Rig& rig = *keys_.motions()->rig;
+    const auto joint = rig.roles[*draft.aim];
+    if (!joint) return draft.target;
+    JointFrames frames;
+    jointFrames(rig, *opponent, frames);
+    return frames.positions[static_cast<std::size_t>(*joint)];
 }
 
 Eigen::Vector3d HitSession::wantedTarget() const {
     const StrikeSpace& space = ready_->space;
-    const auto joint = opponent_ && draft_.aim ? space.rig->roles[*draft_.aim] : std::nullopt;
-    if (joint) {
-        JointFrames frames;
-        jointFrames(*space.rig, *opponent_, frames);
-        return frames.positions[static_cast<std::size_t>(*joint)];
-    }
-    return draft_.target.value_or(space.examples[static_cast<std::size_t>(space.reference)].point);
+    return targetOf(draft_).value_or(
+        space.examples[static_cast<std::size_t>(space.reference)].point);
 }
 
 void HitSession::change(const QString& edit, const HitDraft& draft) {

@@ -86,8 +86,10 @@ private:
 
     void takeLibrary();
     void readDraft();
+    std::optional<Pose> opponentOf(const HitDraft& draft) const;
+    /// Where a draft aims at; nothing: nowhere.
+    std::optional<Eigen::Vector3d> targetOf(const HitDraft& draft) const;
     Eigen::Vector3d wantedTarget() const;
-    void placeOpponent();
     void change(const QString& edit, const HitDraft& draft);
     void prepare();
     void solve();
