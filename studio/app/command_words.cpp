@@ -94,7 +94,13 @@ constexpr Words kWords[] = {
     {"view.measure", QT_TR_NOOP("distance, ruler, speed, tape")},
     {"view.copyPicture", QT_TR_NOOP("screenshot, clipboard, image")},
     {"view.savePicture", QT_TR_NOOP("screenshot, render, image, png, export picture, capture")},
-    {"help.keys", QT_TR_NOOP("shortcuts, hotkeys, cheat sheet, help, manual")},
+    {"help.open", QT_TR_NOOP("manual, documentation, guide")},
+    {"help.first", QT_TR_NOOP("tutorial, introduction, start, guide")},
+    {"help.method", QT_TR_NOOP("formula, explain, statistics, papers, sources")},
+    {"help.whatsThis", QT_TR_NOOP("explain, context help")},
+    {"help.describe", QT_TR_NOOP("explain, accessibility")},
+    {"help.keys", QT_TR_NOOP("shortcuts, hotkeys, cheat sheet, help, manual, print")},
+    {"help.changes", QT_TR_NOOP("release notes, changelog, news, version")},
     {"help.about", QT_TR_NOOP("version, licence, license")},
 };
 

@@ -31,6 +31,7 @@
 #include "studio/app/system_theme.h"
 #include "studio/app/welcome_page.h"
 #include "studio/app/workspaces.h"
+#include "studio/help/help.h"
 #include "studio/jobs/job_bar.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(QWidget* parent)
     setAcceptDrops(true);
     setMinimumSize(900, 560);
     commands_ = new CommandTable(this);
+    help_ = new Help(*this);
     layOut();
     addFileCommands();
     addEditCommands();

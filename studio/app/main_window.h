@@ -18,6 +18,7 @@ class QToolButton;
 namespace kumite::studio {
 
 class BoutSession;
+class Help;
 class HitSession;
 class KeySession;
 class SequenceSession;
@@ -75,6 +76,7 @@ public:
     LabelReview& labelReview() { return *labelReview_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
+    Help& help() { return *help_; }
 
     /// Whether something is being read or computed.
     bool isBusy() const;
@@ -171,6 +173,7 @@ private:
     HitSession* hit_ = nullptr;
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
+    Help* help_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;

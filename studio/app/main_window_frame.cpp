@@ -426,7 +426,7 @@ QStringList MainWindow::keysHint() const {
         {{"boundary.previous", "boundary.next"}, tr("boundary"), !measuring},
         {{"boundary.add"}, tr("add"), !measuring && !boundary},
         {{"app.palette"}, tr("any command"), !measuring},
-        {{"help.keys"}, tr("all keys"), !measuring},
+        {{"help.open"}, tr("help"), !measuring},
     };
     QStringList parts;
     for (const Entry& entry : entries) {
