@@ -130,6 +130,7 @@ ActionTiles::ActionTiles(QWidget* parent)
     scene_->canvas->setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Similar actions"));
+    setAccessibleDescription(tr("Those that look most like the current action, side by side."));
     timer_.setInterval(kQuickest);
     connect(&timer_, &QTimer::timeout, this, &ActionTiles::advance);
 }

@@ -80,6 +80,7 @@ ProgressBox::ProgressBox(LabelReview& review, QWidget* parent)
     threshold_->setPrefix(QStringLiteral("p ≥ "));
     threshold_->setValue(QSettings().value(QLatin1String(kThreshold), 0.9).toDouble());
     threshold_->setAccessibleName(tr("Least probability of what is accepted"));
+    threshold_->setToolTip(tr("Proposals that are at least so probable are accepted."));
     connect(threshold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         QSettings().setValue(QLatin1String(kThreshold), value);
         refresh();
