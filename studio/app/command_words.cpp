@@ -97,6 +97,7 @@ constexpr Words kWords[] = {
     {"help.open", QT_TR_NOOP("manual, documentation, guide")},
     {"help.first", QT_TR_NOOP("tutorial, introduction, start, guide")},
     {"help.method", QT_TR_NOOP("formula, explain, statistics, papers, sources")},
+    {"help.tour", QT_TR_NOOP("tutorial, introduction, walkthrough, wizard, guide")},
     {"help.whatsThis", QT_TR_NOOP("explain, context help")},
     {"help.describe", QT_TR_NOOP("explain, accessibility")},
     {"help.keys", QT_TR_NOOP("shortcuts, hotkeys, cheat sheet, help, manual, print")},

@@ -114,6 +114,9 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QFrame[role="strip"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QFrame[role="focus"] { background: transparent; border: 1px solid @accent; }
+QFrame[role="tour"] { background: @panel; border: 1px solid @accent; border-radius: 6px; }
+QFrame[role="tourMark"] { background: transparent; border: 2px solid @accent;
+    border-radius: 3px; }
 QFrame[role="separator"] { background: @line; border: none; }
 )");
     const auto put = [&sheet](const char* name, const QColor& colour) {

@@ -112,7 +112,8 @@ WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
 void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
     column->addWidget(label(tr("Begin"), "heading", this));
     bool first = true;
-    for (const char* id : {"file.openDemo", "file.openRecordings", "file.openProject"}) {
+    for (const char* id :
+         {"file.openDemo", "file.openRecordings", "file.openProject", "help.tour"}) {
         const Command* command = commands.find(QLatin1String(id));
         if (command == nullptr) continue;
         QAction* action = commands.action(command->id);

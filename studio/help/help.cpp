@@ -14,6 +14,7 @@
 #include "studio/app/workspaces.h"
 #include "studio/help/help_pages.h"
 #include "studio/help/help_window.h"
+#include "studio/help/tour.h"
 #include "studio/help/whats_this.h"
 
 namespace kumite::studio {
@@ -33,7 +34,7 @@ QString pageFor(const QWidget& window) {
 
 }  // namespace
 
-Help::Help(MainWindow& window) : QObject(&window), window_(window) {
+Help::Help(MainWindow& window) : QObject(&window), window_(window), tour_(new Tour(window)) {
     qApp->installEventFilter(this);
 }
 
@@ -49,6 +50,7 @@ void Help::addCommands(CommandTable& commands, const QString& menu) {
     commands.add({"help.first", menu, tr("&First steps"), {}, [this] { open("first_steps"); }});
     commands.add(
         {"help.method", menu, tr("What the &numbers mean"), {}, [this] { open("method"); }});
+    tour_->addCommands(commands, menu);
     commands.add(
         {"help.whatsThis", group, tr("&What is this? Click on it"), {QKeySequence("Shift+F1")}, [] {
              QWhatsThis::enterWhatsThisMode();

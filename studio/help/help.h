@@ -10,8 +10,9 @@ namespace kumite::studio {
 class CommandTable;
 class HelpWindow;
 class MainWindow;
+class Tour;
 
-/// What helps in a window: the pages, and what's-this for everything.
+/// What helps in a window: the pages, what's-this for everything, the tour.
 class Help : public QObject {
     Q_OBJECT
 
@@ -28,6 +29,7 @@ public:
     void openHere();
     /// Says what has the focus, beside it.
     void describeFocus();
+    Tour& tour() { return *tour_; }
 
 protected:
     /// What's-this of any widget, and F1 in the pages beside the window.
@@ -38,6 +40,7 @@ private:
 
     MainWindow& window_;
     QPointer<HelpWindow> page_;
+    Tour* tour_;
 };
 
 }  // namespace kumite::studio
