@@ -75,6 +75,8 @@ constexpr Words kWords[] = {
     {"view.selection", QT_TR_NOOP("frame selected, zoom in, focus, centre")},
     {"view.panels", QT_TR_NOOP("sidebar, show panels, focus mode")},
     {"view.fullScreen", QT_TR_NOOP("maximise, maximize")},
+    {"view.textLarger", QT_TR_NOOP("font size, zoom, bigger, accessibility, scale")},
+    {"view.textSmaller", QT_TR_NOOP("font size, zoom, scale")},
     {"view.theme0", QT_TR_NOOP("dark mode, light mode, colours, auto")},
     {"view.theme1", QT_TR_NOOP("light mode, bright, white, day, colours")},
     {"view.theme2", QT_TR_NOOP("dark mode, black, night, colours")},

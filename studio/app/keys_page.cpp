@@ -18,6 +18,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/panel_parts.h"
 #include "studio/app/questions.h"
@@ -60,7 +61,7 @@ QWidget* groupBox(const KeyGroup& group, QWidget* parent) {
         auto* keys = new QLabel(group.rows[i].keys, box);
         auto* text = new QLabel(group.rows[i].text, box);
         text->setProperty("role", "second");
-        keys->setFixedWidth(kKeysWidth);
+        keys->setFixedWidth(withTextSize(kKeysWidth));
         for (QLabel* label : {keys, text}) {
             label->setWordWrap(true);
             label->setAlignment(Qt::AlignTop);
@@ -184,7 +185,7 @@ void KeysPage::resizeEvent(QResizeEvent* event) {
 }
 
 int KeysPage::columnCount() const {
-    return std::clamp((width() - 60) / kColumnWidth, 1, kMostColumns);
+    return std::clamp((width() - 60) / withTextSize(kColumnWidth), 1, kMostColumns);
 }
 
 void KeysPage::fill() {

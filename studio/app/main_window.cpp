@@ -16,6 +16,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/command_palette.h"
 #include "studio/app/command_words.h"
 #include "studio/app/commands.h"
@@ -236,8 +237,8 @@ void MainWindow::shareSpace() {
     const int timeline = std::max(std::clamp(height / 4 - 12, 170, 300), wished);
     // The timeline, and what takes its place in the workspaces of made motions.
     rows_->setSizes({height - timeline - 1, timeline, timeline, timeline, timeline});
-    const int left = width() < 1600 ? 136 : 176;
-    const int right = width() < 1600 ? 240 : 272;
+    const int left = withTextSize(width() < 1600 ? 136 : 176);
+    const int right = withTextSize(width() < 1600 ? 240 : 272);
     const int middle = width() - left - right - 2;
     columns_->setSizes({left + middle + 1, right});
     upper_->setSizes({left, middle});

@@ -287,6 +287,22 @@ void MainWindow::addViewCommands() {
                         {},
                         [this, choice = choice] { return preferences_.values().theme == choice; }});
     }
+    const auto resize = [&](const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            int step) {
+        commands_->add({id, step > 0 ? grouped(menu) : menu, text, keys,
+                        [this, step] {
+                            PreferenceValues values = preferences_.values();
+                            values.textSize += step;
+                            preferences_.set(values);
+                        },
+                        [this, step] {
+                            return step > 0 ? preferences_.values().textSize < 200
+                                            : preferences_.values().textSize > 100;
+                        }});
+    };
+    resize("view.textLarger", tr("Larger text"),
+           {QKeySequence("Ctrl+Alt++"), QKeySequence("Ctrl+Alt+=")}, 25);
+    resize("view.textSmaller", tr("Smaller text"), {QKeySequence("Ctrl+Alt+-")}, -25);
     addStageCommands(*commands_, *stage_, session_);
     help_->addCommands(*commands_, tr("&Help"));
 }

@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/fighter_properties.h"
@@ -348,7 +349,11 @@ void MainWindow::applyPreferences() {
     stage_->setMouseSpeed(values.mouseSpeed);
     commands_->setText("transport.backTen", tr("%1 frames back").arg(values.leapFrames));
     commands_->setText("transport.onTen", tr("%1 frames on").arg(values.leapFrames));
-    if (values.theme != shownTheme_) applyTheme(values.theme);
+    const bool larger = values.textSize != textSize();
+    setTextSize(values.textSize);
+    setMotionReduced(values.reduceMotion);
+    if (values.theme != shownTheme_ || larger) applyTheme(values.theme);
+    if (larger && !spaceShared_) shareSpace();
     shownTheme_ = values.theme;
     commands_->refresh();
 }

@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTabWidget>
@@ -46,7 +47,12 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, CommandTable& com
     layout->setSpacing(12);
     pages_->setDocumentMode(true);
     pages_->tabBar()->setDrawBase(false);
-    pages_->addTab(makeGeneralPage(), tr("General"));
+    auto* general = new QScrollArea(pages_);
+    general->setFrameShape(QFrame::NoFrame);
+    general->setWidgetResizable(true);
+    general->setFocusPolicy(Qt::NoFocus);
+    general->setWidget(makeGeneralPage());
+    pages_->addTab(general, tr("General"));
     pages_->addTab(new KeyEditor(commands, pages_), tr("Keys"));
     layout->addWidget(pages_, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -83,6 +89,19 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
     describe(theme, tr("Theme"), tr("Colours of the whole window."));
     form->addRow(tr("Theme"), theme);
+    auto* size = new QSpinBox(page);
+    size->setRange(100, 200);
+    size->setSingleStep(25);
+    size->setSuffix(tr(" %"));
+    describe(size, tr("Text size, percent"),
+             tr("How large all text is; pages that it makes too "
+                "large can be scrolled."));
+    form->addRow(tr("Text size"), size);
+    auto* still = new QCheckBox(tr("Reduce motion"), page);
+    describe(still, tr("Reduce motion"),
+             tr("Nothing begins to move by itself: questions and similar actions stand still until "
+                "you play them."));
+    form->addRow(QString(), still);
 
     heading(tr("Playback"));
     auto* speed = new QDoubleSpinBox(page);
@@ -125,6 +144,8 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     const auto show = [=, this] {
         const PreferenceValues& v = preferences_.values();
         theme->setCurrentIndex(static_cast<int>(v.theme));
+        size->setValue(v.textSize);
+        still->setChecked(v.reduceMotion);
         speed->setValue(v.playbackSpeed * 100);
         looping->setChecked(v.looping);
         leap->setValue(v.leapFrames);
@@ -133,16 +154,23 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     };
     show();
     for (QAbstractSpinBox* box :
-         {static_cast<QAbstractSpinBox*>(speed), static_cast<QAbstractSpinBox*>(leap),
-          static_cast<QAbstractSpinBox*>(mouse), static_cast<QAbstractSpinBox*>(autosave)}) {
+         {static_cast<QAbstractSpinBox*>(size), static_cast<QAbstractSpinBox*>(speed),
+          static_cast<QAbstractSpinBox*>(leap), static_cast<QAbstractSpinBox*>(mouse),
+          static_cast<QAbstractSpinBox*>(autosave)}) {
         box->setLocale(QLocale::c());
         box->setKeyboardTracking(false);
-        box->setFixedWidth(120);
+        box->setMinimumWidth(120);
     }
-    theme->setFixedWidth(160);
+    theme->setMinimumWidth(160);
     connect(&preferences_, &Preferences::changed, page, show);
     connect(theme, &QComboBox::currentIndexChanged, page,
             [this](int index) { preferences_.setTheme(static_cast<ThemeChoice>(index)); });
+    connect(size, &QSpinBox::valueChanged, page, [this](int percent) {
+        change(preferences_, [=](PreferenceValues& v) { v.textSize = percent; });
+    });
+    connect(still, &QCheckBox::toggled, page, [this](bool on) {
+        change(preferences_, [=](PreferenceValues& v) { v.reduceMotion = on; });
+    });
     connect(speed, &QDoubleSpinBox::valueChanged, page, [this](double percent) {
         change(preferences_, [=](PreferenceValues& v) { v.playbackSpeed = percent / 100; });
     });

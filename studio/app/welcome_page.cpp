@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/welcome_picture.h"
@@ -65,7 +66,8 @@ WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
     auto* page = new QWidget(this);
     auto* picture = new WelcomePicture(page);
     auto* column = new QWidget(page);
-    column->setFixedWidth(picture->width());
+    column->setMinimumWidth(picture->width());
+    column->setMaximumWidth(std::max(picture->width(), withTextSize(picture->width())));
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 16, 0, 16);
     layout->setSpacing(6);
@@ -120,7 +122,7 @@ void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
         auto* button = new QPushButton(command->plainText(), this);
         button->setProperty("role", first ? "step" : "");
         button->setMinimumHeight(34);
-        button->setFixedWidth(220);
+        button->setMinimumWidth(220);
         commands.tellKey(button, command->id);
         connect(button, &QPushButton::clicked, action, &QAction::trigger);
         column->addWidget(button);
@@ -131,7 +133,7 @@ void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
     auto* drop = label(tr("Or drop recordings (BVH, or AMC with its ASF) or a project on this "
                           "window."),
                        "second", this);
-    drop->setFixedWidth(220);
+    drop->setMinimumWidth(220);
     column->addWidget(drop);
     column->addStretch(1);
     setFocusProxy(steps_.front());

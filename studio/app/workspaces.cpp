@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolButton>
 
@@ -21,7 +22,15 @@ Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QStackedW
 }
 
 void Workspaces::add(Workspace workspace) {
-    panels_->addWidget(workspace.panel);
+    // What large text makes too high is scrolled.
+    auto* scroll = new QScrollArea(panels_);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(workspace.panel);
+    scroll->setMinimumWidth(workspace.panel->minimumWidth());
+    panels_->addWidget(scroll);
     if (workspace.centre != nullptr) centres_->addWidget(workspace.centre);
     if (workspace.addCommands) commands_.addFor(workspace.id, workspace.addCommands);
     const QString id = workspace.id;
@@ -52,7 +61,7 @@ void Workspaces::show(const QString& id) {
                                     [&](const Workspace& each) { return each.id == id; });
     if (found == all_.end() || current_ == id) return;
     current_ = id;
-    panels_->setCurrentWidget(found->panel);
+    panels_->setCurrentIndex(static_cast<int>(found - all_.begin()));
     if (found->centre != nullptr) centres_->setCurrentWidget(found->centre);
     centres_->setVisible(found->centre != nullptr);
     commands_.showWorkspace(id);

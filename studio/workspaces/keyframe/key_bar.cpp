@@ -14,7 +14,8 @@ namespace kumite::studio {
 
 KeyBar::KeyBar(KeySession& keys, CommandTable& commands, QWidget* parent)
     : QWidget(parent), keys_(keys), time_(new QLabel(this)), what_(new QLabel(this)) {
-    setFixedHeight(30);
+    setMinimumHeight(30);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
+
 namespace kumite::studio {
 
 namespace {
@@ -36,7 +38,7 @@ void LabelReview::setAdvancing(bool advancing) {
 
 void LabelReview::show(const ShownAction& action) {
     labels_.goTo(action);
-    labels_.session().transport().setPlaying(true);
+    if (!isMotionReduced()) labels_.session().transport().setPlaying(true);
     Q_EMIT shown();
 }
 

@@ -12,7 +12,8 @@ namespace kumite::studio {
 
 SequenceBar::SequenceBar(SequenceSession& sequence, CommandTable& commands, QWidget* parent)
     : QWidget(parent), sequence_(sequence), time_(new QLabel(this)), what_(new QLabel(this)) {
-    setFixedHeight(30);
+    setMinimumHeight(30);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);
