@@ -242,7 +242,9 @@ void MainWindow::shareSpace() {
     const int middle = width() - left - right - 2;
     columns_->setSizes({left + middle + 1, right});
     upper_->setSizes({left, middle});
-    content_->setSizes({2 * middle / 5, middle - 2 * middle / 5});
+    // Tables need their names, a view needs none.
+    const int view = middle * (textSize() > 125 ? 3 : 4) / 10;
+    content_->setSizes({view, middle - view});
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -187,6 +187,7 @@ private:
     QPointer<QDialog> fighterProperties_;
     QPointer<QDialog> findingsPage_;
     ThemeChoice shownTheme_;
+    double shownTextSize_ = 100;  ///< percent
     bool panelsShown_ = true;
     PanelWidths widths_;        ///< how wide the panels are while they are hidden
     bool spaceShared_ = false;  ///< the user has laid out the window

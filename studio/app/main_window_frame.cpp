@@ -349,10 +349,14 @@ void MainWindow::applyPreferences() {
     stage_->setMouseSpeed(values.mouseSpeed);
     commands_->setText("transport.backTen", tr("%1 frames back").arg(values.leapFrames));
     commands_->setText("transport.onTen", tr("%1 frames on").arg(values.leapFrames));
-    const bool larger = values.textSize != textSize();
+    // The window is made for text of 100 %, whatever other windows have by now.
+    const double ratio = values.textSize / shownTextSize_;
+    const bool larger = values.textSize != textSize() || ratio != 1;
+    shownTextSize_ = values.textSize;
     setTextSize(values.textSize);
     setMotionReduced(values.reduceMotion);
     if (values.theme != shownTheme_ || larger) applyTheme(values.theme);
+    if (ratio != 1) rescale(*this, ratio);
     if (larger && !spaceShared_) shareSpace();
     shownTheme_ = values.theme;
     commands_->refresh();

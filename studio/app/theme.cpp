@@ -175,7 +175,7 @@ const Colours& colours(bool dark) {
                                       QColor("#5b6068"),
                                       QColor("#ffb000"),
                                       {QColor("#d55e00"), QColor("#56b4e9")},
-                                      {QColor("#b85000"), QColor("#1f7fb8")}};
+                                      {QColor("#b85000"), QColor("#1b74a9")}};
     return dark ? darkColours : lightColours;
 }
 

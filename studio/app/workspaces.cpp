@@ -9,11 +9,18 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/icons.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
+
+namespace {
+
+constexpr int kNamesUpTo = 125;  ///< percent of text size
+
+}  // namespace
 
 Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QStackedWidget* centres,
                        QObject* parent)
@@ -79,7 +86,7 @@ WorkspaceBar::WorkspaceBar(Workspaces& workspaces, QWidget* parent)
 
 void WorkspaceBar::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) fill();
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) fill();
 }
 
 void WorkspaceBar::fill() {
@@ -106,10 +113,13 @@ void WorkspaceBar::fill() {
         auto* button = new QToolButton(this);
         button->setText(workspace.name);
         button->setIcon(lineIcon(workspace.icon, c.text));
-        button->setIconSize({16, 16});
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setIconSize(QSize(16, 16) * textSize() / 100);
+        const bool chosen = workspace.id == workspaces_.current();
+        // Large names leave no room for the menus: then the chosen one alone has its name.
+        const bool named = chosen || textSize() <= kNamesUpTo;
+        button->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
         button->setCheckable(true);
-        button->setChecked(workspace.id == workspaces_.current());
+        button->setChecked(chosen);
         button->setFocusPolicy(Qt::TabFocus);
         button->setAccessibleName(tr("%1 workspace").arg(workspace.name));
         button->setToolTip(workspace.tip);
