@@ -14,6 +14,7 @@ namespace {
 int size = 100;
 bool reduced = false;
 
+constexpr const char* kOwnPoints = "pointsAt100";
 constexpr int kWidest = 150;  ///< of a control that is made for a text
 
 /// Hairlines stay, and what has no limit.
@@ -58,7 +59,10 @@ void rescale(QWidget& root, double ratio) {
         if (widget->font().resolveMask() & QFont::SizeResolved &&
             widget->testAttribute(Qt::WA_SetFont)) {
             QFont own = widget->font();
-            own.setPointSizeF(own.pointSizeF() * ratio);
+            // A new style sheet brings old fonts back: what counts is the size at the beginning.
+            if (!widget->property(kOwnPoints).isValid())
+                widget->setProperty(kOwnPoints, own.pointSizeF() * 100 * ratio / size);
+            own.setPointSizeF(widget->property(kOwnPoints).toDouble() * size / 100);
             widget->setFont(own);
         }
         const QSize least = widget->minimumSize();
