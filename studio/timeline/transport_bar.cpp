@@ -22,8 +22,7 @@ TransportBar::TransportBar(Session& session, CommandTable& commands, QWidget* pa
       frame_(new QLabel(this)),
       speed_(new QLabel(this)),
       selection_(new QLabel(this)) {
-    setMinimumHeight(30);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setFixedHeight(30);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);

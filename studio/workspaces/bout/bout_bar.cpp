@@ -16,8 +16,7 @@ BoutBar::BoutBar(BoutSession& bout, CommandTable& commands, QWidget* parent)
       time_(new QLabel(this)),
       end_(new QLabel(this)),
       speed_(new QLabel(this)) {
-    setMinimumHeight(30);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setFixedHeight(30);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);

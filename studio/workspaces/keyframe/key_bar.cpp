@@ -14,8 +14,7 @@ namespace kumite::studio {
 
 KeyBar::KeyBar(KeySession& keys, CommandTable& commands, QWidget* parent)
     : QWidget(parent), keys_(keys), time_(new QLabel(this)), what_(new QLabel(this)) {
-    setMinimumHeight(30);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setFixedHeight(30);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);

@@ -12,8 +12,7 @@ namespace kumite::studio {
 
 SequenceBar::SequenceBar(SequenceSession& sequence, CommandTable& commands, QWidget* parent)
     : QWidget(parent), sequence_(sequence), time_(new QLabel(this)), what_(new QLabel(this)) {
-    setMinimumHeight(30);
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setFixedHeight(30);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 2, 12, 2);
     layout->setSpacing(2);
