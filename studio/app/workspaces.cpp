@@ -18,7 +18,9 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr int kNamesUpTo = 125;  ///< percent of text size
+/// Percent of text size: all names; that of the shown workspace alone.
+constexpr int kNamesUpTo = 125;
+constexpr int kNameUpTo = 150;
 
 }  // namespace
 
@@ -115,8 +117,9 @@ void WorkspaceBar::fill() {
         button->setIcon(lineIcon(workspace.icon, c.text));
         button->setIconSize(QSize(16, 16) * textSize() / 100);
         const bool chosen = workspace.id == workspaces_.current();
-        // Large names leave no room for the menus: then the chosen one alone has its name.
-        const bool named = chosen || textSize() <= kNamesUpTo;
+        // Large names leave no room for the menus: then the chosen one alone, or none, has its
+        // name.
+        const bool named = textSize() <= (chosen ? kNameUpTo : kNamesUpTo);
         button->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
         button->setCheckable(true);
         button->setChecked(chosen);
