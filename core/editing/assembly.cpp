@@ -176,8 +176,11 @@ KeyLibrary keyLibrary(std::shared_ptr<const MotionLibrary> library,
     keys.features.rate = library->rate;
     const double count = static_cast<double>(library->motions.size());
     for (const LibraryMotion& motion : library->motions) {
-        keys.features.add(motion.name,
-                          poseBits(positionsOf(motion.clip), library->rig->roles, settings));
+        // Of what was made itself nothing is found: it has no frames here.
+        const auto bits = motion.made
+                              ? std::vector<PoseBits>()
+                              : poseBits(positionsOf(motion.clip), library->rig->roles, settings);
+        keys.features.add(motion.name, bits);
         progress.update(static_cast<double>(keys.features.clips.size()) / count);
     }
     keys.library = std::move(library);

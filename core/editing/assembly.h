@@ -13,7 +13,7 @@
 namespace kumite {
 
 /// A library with the features of all of its poses: what key poses are looked up in. The clips of
-/// `features` are the library's motions, in order.
+/// `features` are the library's motions, in order; those that were made have no frames there.
 struct KeyLibrary {
     std::shared_ptr<const MotionLibrary> library;
     FeatureLibrary features;

@@ -54,11 +54,7 @@ Quaterniond turn(const JsonReader& json) {
         throw json.error(
             "expected three angles in degrees about x, y, z or a quaternion w, x, y, z");
     }
-    const auto about = [&](std::size_t i) {
-        return Quaterniond(Eigen::AngleAxisd(std::remainder(json.at(i).number(), 360.0) * kRadians,
-                                             Vector3d::Unit(static_cast<Eigen::Index>(i))));
-    };
-    return about(2) * about(0) * about(1);
+    return turnOfAngles({json.at(0).number(), json.at(1).number(), json.at(2).number()});
 }
 
 /// A joint by its name, its role or, as "#12", its index.

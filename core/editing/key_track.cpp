@@ -89,6 +89,15 @@ KeyTrack withEasing(KeyTrack track, int frame, Easing easing) {
     return track;
 }
 
+KeyTrack withShiftedKeys(KeyTrack track, int from, int to) {
+    const auto first = static_cast<std::size_t>(at(track, from) - track.keys.begin());
+    if (to < 0 || (first > 0 && to <= track.keys[first - 1].frame))
+        throw Error(fmt::format("Frame {} is not behind the key before.", to));
+    for (std::size_t k = first; k < track.keys.size(); ++k)
+        track.keys[k].frame += to - from;
+    return track;
+}
+
 KeyTrack retimed(KeyTrack track, int first, double factor) {
     if (!(factor > 0) || !std::isfinite(factor))
         throw Error("Keys can be brought nearer or farther by a factor above 0 only.");

@@ -46,6 +46,9 @@ KeyTrack withKey(KeyTrack track, KeyPose key);
 KeyTrack withoutKey(KeyTrack track, int frame);
 /// A key at another frame; one that was there gives way.
 KeyTrack withMovedKey(KeyTrack track, int from, int to);
+/// A key at another frame and all later ones as much earlier or later. Throws Error if it would not
+/// stay behind the key before it.
+KeyTrack withShiftedKeys(KeyTrack track, int from, int to);
 /// The same pose once more.
 KeyTrack withCopiedKey(KeyTrack track, int from, int to);
 KeyTrack withEasing(KeyTrack track, int frame, Easing easing);

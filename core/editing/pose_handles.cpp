@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/editing/joint_turns.h"
+#include "core/motion/euler.h"
 #include "core/motion/two_bone.h"
 
 namespace kumite {
@@ -44,6 +46,14 @@ std::optional<Vector3d> boneDirection(const Rig& rig, int joint) {
         if (other.parent == joint && other.offset.norm() > 1e-6) return other.offset.normalized();
     }
     return std::nullopt;
+}
+
+/// turn = swing · twist, twist about the bone.
+std::pair<Quaterniond, Quaterniond> swingAndTwist(const Quaterniond& turn, const Vector3d& bone) {
+    Quaterniond twist(turn.w(), 0, 0, 0);
+    twist.vec() = turn.vec().dot(bone) * bone;
+    twist = twist.norm() > 1e-9 ? twist.normalized() : Quaterniond::Identity();
+    return {turn * twist.conjugate(), twist};
 }
 
 /// The pelvis' descendants up to (without) a joint: what bends to bring it somewhere.
@@ -263,17 +273,36 @@ Quaterniond withinLimit(const Rig& rig, int joint, const Quaterniond& turn) {
     const auto limit = jointLimit(rig, joint);
     const auto bone = boneDirection(rig, joint);
     if (!limit || !bone) return turn;
-    // turn = swing · twist, twist about the bone.
-    Quaterniond twist(turn.w(), 0, 0, 0);
-    twist.vec() = turn.vec().dot(*bone) * *bone;
-    twist = twist.norm() > 1e-9 ? twist.normalized() : Quaterniond::Identity();
-    const Quaterniond swing = turn * twist.conjugate();
+    const auto [swing, twist] = swingAndTwist(turn, *bone);
     const auto limited = [](const Quaterniond& q, double most) {
         Eigen::AngleAxisd a(q.w() < 0 ? Quaterniond(-q.coeffs()) : q);
         a.angle() = std::min(a.angle(), most);
         return Quaterniond(a);
     };
     return (limited(swing, limit->swing) * limited(twist, limit->twist)).normalized();
+}
+
+std::optional<JointLimit> jointBend(const Rig& rig, int joint, const Quaterniond& turn) {
+    const auto bone = boneDirection(rig, joint);
+    if (!jointLimit(rig, joint) || !bone) return std::nullopt;
+    const auto [swing, twist] = swingAndTwist(turn, *bone);
+    const Quaterniond rest = Quaterniond::Identity();
+    return JointLimit{swing.angularDistance(rest), twist.angularDistance(rest)};
+}
+
+Vector3d jointAngles(const Quaterniond& turn, const Vector3d& before) {
+    const auto angles =
+        eulerAngles(turn.toRotationMatrix(), {2, 0, 1}, {before.z(), before.x(), before.y()});
+    return {angles[1], angles[2], angles[0]};
+}
+
+Quaterniond turnOfAngles(const Vector3d& degrees) {
+    constexpr double kRadians = std::numbers::pi / 180;
+    const auto about = [&](int axis) {
+        return Quaterniond(Eigen::AngleAxisd(std::remainder(degrees[axis], 360.0) * kRadians,
+                                             Vector3d::Unit(axis)));
+    };
+    return about(2) * about(0) * about(1);
 }
 
 Pose withinLimits(const Rig& rig, Pose pose) {

@@ -51,6 +51,7 @@ DragResult dragged(const Rig& rig, const Pose& pose, Handle handle, const Eigen:
 struct JointLimit {
     double swing = 0;  ///< radians
     double twist = 0;
+    bool operator==(const JointLimit&) const = default;
 };
 /// The limits of what has a role, wide enough for kicks and punches; nothing for the pelvis and for
 /// joints without a role. They count from the rest pose of the skeleton, whatever that is.
@@ -59,6 +60,15 @@ std::optional<JointLimit> jointLimit(const Rig& rig, int joint);
 Eigen::Quaterniond withinLimit(const Rig& rig, int joint, const Eigen::Quaterniond& turn);
 /// The whole pose.
 Pose withinLimits(const Rig& rig, Pose pose);
+
+/// How far a local rotation is from the rest pose; nothing for joints without a limit.
+std::optional<JointLimit> jointBend(const Rig& rig, int joint, const Eigen::Quaterniond& turn);
+
+/// A local rotation as keys.json has it: degrees about x, y and z, R = Rz · Rx · Ry; of the two
+/// ways to say it the one nearest to `before`.
+Eigen::Vector3d jointAngles(const Eigen::Quaterniond& turn,
+                            const Eigen::Vector3d& before = Eigen::Vector3d::Zero());
+Eigen::Quaterniond turnOfAngles(const Eigen::Vector3d& degrees);
 
 /// A pose with one joint turned by hand: its local rotation set, within its limit; pinned handles
 /// put back.

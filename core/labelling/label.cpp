@@ -39,6 +39,19 @@ std::string labelText(const Vocabulary& vocabulary, const Label& label, bool ope
     return text.empty() ? std::string(kOthers) : text;
 }
 
+std::string spokenLabel(const Vocabulary& vocabulary, const Label& label) {
+    std::string text;
+    for (std::size_t i = 0; i < label.size(); ++i) {
+        const Aspect& aspect = vocabulary.aspects[i];
+        if (!isSaid(aspect, label[i])) continue;
+        std::string name =
+            aspect.name + ' ' + aspect.qualifiers[static_cast<std::size_t>(label[i])].name;
+        if (name[0] >= 'A' && name[0] <= 'Z') name[0] = static_cast<char>(name[0] - 'A' + 'a');
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text.empty() ? "nothing" : text;
+}
+
 Label parseLabel(const Vocabulary& vocabulary, std::string_view text) {
     Label label = othersLabel(vocabulary);
     text = trimmed(text);

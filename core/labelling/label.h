@@ -21,6 +21,8 @@ Label othersLabel(const Vocabulary& vocabulary);
 /// `+`: `right_punch:fwd+move:L-R`. "others" if none is left. With `openToo` unknown aspects that
 /// have a fallback are spelled `jump:?`, so that parseLabel gives back the same label.
 std::string labelText(const Vocabulary& vocabulary, const Label& label, bool openToo = false);
+/// The same in the words that people read: "left punch forward, right kick up"; "nothing".
+std::string spokenLabel(const Vocabulary& vocabulary, const Label& label);
 
 /// The label that a spelling means; aspects that it leaves out are at their fallback, `jump:?` is
 /// unknown. Throws Error that says which word is not in the vocabulary.

@@ -32,6 +32,9 @@ struct LibraryMotion {
     /// What the file's or take's frames are to the clip's: frame f there is shown at f / sourceRate
     /// seconds.
     double sourceRate = 0;
+    int take = -1;  ///< of the project that the library is of, and its player; -1: of a file
+    int player = -1;
+    bool made = false;  ///< itself made of other motions: nothing is looked up in it
 };
 
 /// A stretch of a motion that can be asked for by name.

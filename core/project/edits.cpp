@@ -1,9 +1,11 @@
 #include "core/project/edits.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/formats/json_text.h"
@@ -33,6 +35,20 @@ bool isTaken(const Project& project, const std::string& name) {
 
 std::string who(FighterAddress fighter) {
     return fmt::format(", fighter {}", fighter.player + 1);
+}
+
+/// Drafts name motions and actions by their take, "take:1" or "take:1:4@0:10".
+void renameIn(nlohmann::ordered_json& json, const std::string& old, const std::string& name) {
+    if (json.is_string()) {
+        const auto text = json.get<std::string>();
+        const std::size_t after = old.size() + 1;
+        if (text.size() > after && text.compare(0, after, old + ":") == 0 &&
+            std::isdigit(static_cast<unsigned char>(text[after])) != 0)
+            json = name + text.substr(old.size());
+    } else if (json.is_structured()) {
+        for (auto& each : json)
+            renameIn(each, old, name);
+    }
 }
 
 }  // namespace
@@ -119,6 +135,13 @@ MaybeEdit renameTake(const Project& project, int take, const std::string& name) 
     if (isTaken(project, name)) throw Error("There is a take named \"" + name + "\" already.");
     Edit edit{project, "Rename take to " + name};
     edit.project.takes[static_cast<std::size_t>(take)].name = name;
+    for (const char* kind : {"hit", "keys", "sequence"}) {
+        const auto draft = edit.project.drafts.find(kind);
+        if (draft == edit.project.drafts.end()) continue;
+        auto json = parseJson(draft->second, std::string("draft ") + kind);
+        renameIn(json, asStored(old), asStored(name));
+        draft->second = json.dump();
+    }
     return edit;
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/files.h"
 #include "core/formats/bvh.h"
 #include "core/project/import.h"
+#include "core/project/made_takes.h"
 #include "core/project/new_files.h"
 
 namespace kumite {
@@ -36,7 +37,7 @@ KeptClip keepClip(const Project& project, const MotionLibrary& library, const Cl
     request.fighters.push_back(fighter);
     Take take = importTake(request, progress.part(0.6, 1)).take;
     take.fighters.front().roles = library.rig->roles;
-    KeptClip kept{*addTake(project, take), file};
+    KeptClip kept{*addMadeTake(project, take), file};
     kept.edit.name = "Keep motion as take " + name;
     written.stay();
     return kept;

@@ -36,6 +36,8 @@ std::string keyDraftText(const KeyDraft& draft) {
         const auto kind = draft.parts[static_cast<std::size_t>(part)];
         if (kind != PartChoice::Kind::Automatic)
             json["parts"][std::string(partName(part))] = kindName(kind);
+        const std::string& place = draft.places[static_cast<std::size_t>(part)];
+        if (!place.empty()) json["places"][std::string(partName(part))] = asStored(place);
     }
     if (!draft.assembly.adjusted) json["adjusted"] = false;
     if (draft.assembly.meetKeys != 0) json["meet"] = draft.assembly.meetKeys;
@@ -53,13 +55,18 @@ KeyDraft parseKeyDraft(std::string_view text, const std::string& file,
             throw Error("the key pose of clip \"" + clip + "\" is not in the project");
         });
     if (reader.has("body")) draft.body = reader["body"].text();
-    if (reader.has("parts")) {
-        for (const std::string& name : reader["parts"].keys()) {
+    const auto eachPart = [&](const char* key, const auto& read) {
+        if (!reader.has(key)) return;
+        for (const std::string& name : reader[key].keys()) {
             const auto part = partFromName(name);
-            if (!part) throw reader["parts"].error("\"" + name + "\" is no part of the body");
-            draft.parts[static_cast<std::size_t>(*part)] = readKind(reader["parts"][name]);
+            if (!part) throw reader[key].error("\"" + name + "\" is no part of the body");
+            read(static_cast<std::size_t>(*part), reader[key][name]);
         }
-    }
+    };
+    eachPart("parts",
+             [&](std::size_t part, const JsonReader& json) { draft.parts[part] = readKind(json); });
+    eachPart("places",
+             [&](std::size_t part, const JsonReader& json) { draft.places[part] = json.text(); });
     draft.assembly.adjusted = !reader.has("adjusted") || reader["adjusted"].boolean();
     if (reader.has("meet")) {
         draft.assembly.meetKeys = reader["meet"].number();
@@ -86,12 +93,16 @@ MaybeEdit setKeyDraft(const Project& project, const KeyDraft& draft, std::string
 
 AssemblyChoices choicesOf(const MotionLibrary& library, const KeyDraft& draft) {
     AssemblyChoices choices;
-    if (!draft.body.empty()) {
-        const LibraryAction action = actionNamed(library, draft.body);
-        choices.body = ClipRange{action.motion, action.frames};
-    }
-    for (std::size_t part = 0; part < draft.parts.size(); ++part)
+    const auto rangeOf = [&](const std::string& place) {
+        const LibraryAction action = actionNamed(library, place);
+        return ClipRange{action.motion, action.frames};
+    };
+    if (!draft.body.empty()) choices.body = rangeOf(draft.body);
+    for (std::size_t part = 0; part < draft.parts.size(); ++part) {
         choices.parts[part].kind = draft.parts[part];
+        if (draft.parts[part] == PartChoice::Kind::Own && !draft.places[part].empty())
+            choices.parts[part].within = rangeOf(draft.places[part]);
+    }
     return choices;
 }
 

@@ -17,6 +17,8 @@ struct KeyDraft {
                        ///< everywhere
     /// Automatic, WithBody or Own.
     std::array<PartChoice::Kind, kBodyPartCount> parts{};
+    /// Where an own part is looked for, as `body`.
+    std::array<std::string, kBodyPartCount> places;
     AssemblySettings assembly;
 };
 

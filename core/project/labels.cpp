@@ -120,7 +120,8 @@ std::string howMany(std::span<const int> actions, FighterAddress fighter) {
                : fmt::format("{} actions, fighter {}", actions.size(), fighter.player + 1);
 }
 
-/// "Label action 12, fighter 1: right_punch:fwd"; what differs from answer to answer is left out.
+/// "Label action 12, fighter 1: right punch forward"; what differs from answer to answer is left
+/// out.
 std::string nameOf(const Vocabulary& vocabulary, std::span<const ActionAnswer> answers,
                    std::size_t fighters) {
     std::vector<int> actions;
@@ -131,7 +132,7 @@ std::string nameOf(const Vocabulary& vocabulary, std::span<const ActionAnswer> a
     }
     std::string name = "Label " + (fighters == 1 ? howMany(actions, answers.front().fighter)
                                                  : fmt::format("{} actions", answers.size()));
-    if (same) name += ": " + labelText(vocabulary, answers.front().label);
+    if (same) name += ": " + spokenLabel(vocabulary, answers.front().label);
     return name;
 }
 

@@ -13,6 +13,7 @@
 #include "core/motion/retarget.h"
 #include "core/project/import.h"
 #include "core/project/labels.h"
+#include "core/project/made_takes.h"
 #include "core/project/project_file.h"
 
 namespace kumite {
@@ -110,17 +111,26 @@ public:
         }
     }
 
-    void addProject(const Project& project, const Analysis& analysis, const Progress& progress) {
+    /// `isOpen`: motions know which take they are.
+    void addProject(const Project& project, const Analysis& analysis, const Progress& progress,
+                    bool isOpen = false) {
         const double count = std::max(1.0, static_cast<double>(project.takes.size()));
+        const auto made = madeRecordings(project);
         for (std::size_t t = 0; t < project.takes.size(); ++t) {
             const Take& take = project.takes[t];
             const std::string name = unique(take.name);
             for (std::size_t p = 0; p < take.fighters.size(); ++p) {
                 if (!take.fighters[p].motion) continue;
                 const double at = static_cast<double>(t);
-                addFighter(project, analysis, {static_cast<int>(t), static_cast<int>(p)},
-                           fmt::format("{}:{}", name, p + 1),
-                           progress.part(at / count, (at + 1) / count));
+                const int motion = addFighter(
+                    project, analysis, {static_cast<int>(t), static_cast<int>(p)},
+                    fmt::format("{}:{}", name, p + 1), progress.part(at / count, (at + 1) / count));
+                if (motion < 0) continue;
+                auto& added = loaded_.library.motions[static_cast<std::size_t>(motion)];
+                added.made = isMade(made, take);
+                if (!isOpen) continue;
+                added.take = static_cast<int>(t);
+                added.player = static_cast<int>(p);
             }
         }
     }
@@ -176,12 +186,13 @@ public:
     }
 
 private:
-    void addFighter(const Project& project, const Analysis& analysis, FighterAddress address,
-                    const std::string& name, const Progress& progress) {
+    /// Index of its motion; −1 if there is none.
+    int addFighter(const Project& project, const Analysis& analysis, FighterAddress address,
+                   const std::string& name, const Progress& progress) {
         const Fighter& fighter = fighterAt(project, address);
         const FighterAnalysis& values = analysis.at(address);
         const int motion = add(name, fighter, progress);
-        if (motion < 0) return;
+        if (motion < 0) return motion;
         const int last =
             loaded_.library.motions[static_cast<std::size_t>(motion)].clip.frameCount() - 1;
         const auto frameAt = [&](int frame) {
@@ -199,6 +210,7 @@ private:
                  motion,
                  {frameAt(action.begin), frameAt(action.end) + 1}});
         }
+        return motion;
     }
 
     /// A name that no file or take of the library has yet.
@@ -266,7 +278,7 @@ LoadedLibrary loadLibrary(const std::vector<std::filesystem::path>& sources,
 LoadedLibrary libraryOf(const Project& project, const Analysis& analysis,
                         const LibrarySettings& settings, const Progress& progress) {
     Builder builder(settings);
-    builder.addProject(project, analysis, progress.part(0, 0.5));
+    builder.addProject(project, analysis, progress.part(0, 0.5), true);
     builder.addClips(project, progress.part(0.5, 1));
     return std::move(builder).finish();
 }

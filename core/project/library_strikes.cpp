@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
-#include "core/labelling/vocabulary.h"
 #include "core/project/library.h"
 
 namespace kumite {
@@ -73,6 +72,7 @@ std::vector<LibraryAction> labelledActions(const MotionLibrary& library,
         if (qualifier.empty() || qualifier == "?") continue;
         const bool wanted =
             name.qualifier.empty() ? isAttack(aspect, qualifier) : qualifier == name.qualifier;
+        if (library.motions[static_cast<std::size_t>(action.motion)].made) continue;
         if (!wanted || (request.player && playerOf(action.name) != *request.player)) continue;
         if (i + 1 < library.actions.size()) {
             const LibraryAction& next = library.actions[i + 1];
@@ -159,6 +159,16 @@ StrikeExamples strikesOf(const MotionLibrary& library, const StrikeRequest& requ
                                 strikerName(examples.striker), request.strike));
     }
     return examples;
+}
+
+std::vector<std::string> strikesIn(const MotionLibrary& library, const Vocabulary& vocabulary) {
+    std::vector<std::string> found;
+    for (const Aspect& aspect : vocabulary.aspects) {
+        if (aspect.strike.empty()) continue;
+        if (!labelledActions(library, {aspect.id, {}, {}}, &aspect).empty())
+            found.push_back(aspect.id);
+    }
+    return found;
 }
 
 StrikeExamples strikesLike(const MotionLibrary& library, const LibraryAction& action) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/editing/hit.h"
+#include "core/labelling/vocabulary.h"
 #include "core/motion/motion_library.h"
 
 namespace kumite {
@@ -23,13 +24,16 @@ struct StrikeRequest {
     std::optional<int> player;       ///< 1 or 2: only that fighter of projects' takes
 };
 
-/// The strikes that a request means.
+/// The strikes that a request means; motions that were made are no examples of a label.
 /// An aspect of the vocabulary: every action whose label has it, as an attack (or with the
 /// qualifier that is named); an action that goes out only ("fwd", "up") takes the next one along if
 /// that brings the same limb back. Clips (as `actionNamed` knows them): the strikes in them, where
 /// a clip holds several all of them. The limb is the aspect's; of clips it is the one that moves
 /// fastest in most of them. Throws Error that says what there is.
 StrikeExamples strikesOf(const MotionLibrary& library, const StrikeRequest& request);
+
+/// The aspects that `strikesOf` finds examples of, in the vocabulary's order.
+std::vector<std::string> strikesIn(const MotionLibrary& library, const Vocabulary& vocabulary);
 
 /// Examples of the strike that an action is: all that are labelled with its attack; of an action
 /// without such a label the strike in it alone. What a block `C@x,y,z` of a sequence blends.

@@ -67,7 +67,7 @@ void MainWindow::addBoundaryCommands() {
     };
     add("boundary.toggle", tr("&Remove or restore boundary"), {QKeySequence("Del")},
         [this] { session_.toggleCurrentBoundary(); });
-    add("boundary.add", tr("&Add boundary at the playhead"), {QKeySequence("S")},
+    add("boundary.add", tr("Split here: &add a boundary"), {QKeySequence("S")},
         [this] { session_.addBoundaryAtPlayhead(); });
     add("boundary.mergeLeft", tr("Join with the action &before"), {QKeySequence("Ctrl+[")},
         [this] { session_.mergeAction(-1); });

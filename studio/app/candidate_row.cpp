@@ -6,11 +6,12 @@
 #include <algorithm>
 
 #include "studio/app/theme.h"
+#include "studio/app/words.h"
 
 namespace kumite::studio {
 
 QString chanceText(double probability) {
-    return probability < 0.005 ? QStringLiteral("<0.01") : QString::number(probability, 'f', 2);
+    return probability < 0.005 ? QStringLiteral("<0.01") : numberText(probability, 2);
 }
 
 QSize candidateRowSize(const QStyleOptionViewItem& option) {

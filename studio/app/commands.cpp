@@ -10,24 +10,17 @@
 #include <utility>
 
 #include "studio/app/icons.h"
+#include "studio/app/language.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
 
-namespace {
-
-QString withoutMarks(QString text) {
-    return text.remove(QLatin1Char('&'));
-}
-
-}  // namespace
-
 QString Command::plainText() const {
-    return withoutMarks(text);
+    return withoutMnemonic(text);
 }
 
 QString Command::plainMenu() const {
-    return withoutMarks(menu.startsWith(QLatin1Char('-')) ? menu.mid(1) : menu);
+    return withoutMnemonic(menu.startsWith(QLatin1Char('-')) ? menu.mid(1) : menu);
 }
 
 QString Command::keysText() const {
@@ -161,7 +154,7 @@ void CommandTable::tellKey(QWidget* widget, const QString& id) {
 void CommandTable::refresh() {
     for (std::size_t i = 0; i < commands_.size(); ++i) {
         const Command& command = commands_[i];
-        actions_[i]->setVisible(command.isOf(workspace_));
+        actions_[i]->setVisible(command.isOf(workspace_) && (!command.shown || command.shown()));
         actions_[i]->setEnabled(isEnabled(command));
         if (command.checked) actions_[i]->setChecked(command.checked());
     }

@@ -35,7 +35,8 @@ struct Command {
 
     /// Whether it is offered in a workspace.
     bool isOf(const QString& id) const;
-    QString words = {};  ///< other words that people look for it by: "delete, cut"
+    QString words = {};                ///< other words that people look for it by: "delete, cut"
+    std::function<bool()> shown = {};  ///< whether menus have it now; none: always
 
     /// The text without the marks that menus need: "Open recordings…".
     QString plainText() const;

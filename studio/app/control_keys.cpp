@@ -5,6 +5,7 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDialog>
 #include <QKeyEvent>
 #include <QListView>
 #include <QTabBar>
@@ -23,6 +24,10 @@ bool leads(int key) {
            key == Qt::Key_PageDown;
 }
 
+bool confirms(int key) {
+    return key == Qt::Key_Return || key == Qt::Key_Enter;
+}
+
 template <typename Kind>
 bool is(const QWidget& widget) {
     return qobject_cast<const Kind*>(&widget) != nullptr;
@@ -39,7 +44,8 @@ bool hasRowsAlone(const QWidget& widget) {
 
 bool worksControl(const QWidget& focused, const QKeyEvent& key) {
     const Qt::KeyboardModifiers held = key.modifiers() & ~Qt::KeypadModifier;
-    if (is<QAbstractButton>(focused)) return key.key() == Qt::Key_Space && held == Qt::NoModifier;
+    if (is<QAbstractButton>(focused))
+        return (key.key() == Qt::Key_Space || confirms(key.key())) && held == Qt::NoModifier;
     const bool choices = is<QComboBox>(focused);
     const bool opens = key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;
     if (choices && held == Qt::AltModifier && opens) return true;
@@ -49,6 +55,17 @@ bool worksControl(const QWidget& focused, const QKeyEvent& key) {
     if (sideways && hasRowsAlone(focused)) return false;
     return choices || is<QAbstractSlider>(focused) || is<QAbstractItemView>(focused) ||
            is<QTabBar>(focused) || is<QAbstractSpinBox>(focused);
+}
+
+bool pressesButton(QObject* focused, const QKeyEvent& key) {
+    auto* button = qobject_cast<QAbstractButton*>(focused);
+    const Qt::KeyboardModifiers held = key.modifiers() & ~Qt::KeypadModifier;
+    // Dialogs have a way of their own with these keys.
+    if (button == nullptr || !confirms(key.key()) || held != Qt::NoModifier || key.isAutoRepeat() ||
+        qobject_cast<QDialog*>(button->window()) != nullptr)
+        return false;
+    button->click();
+    return true;
 }
 
 }  // namespace kumite::studio

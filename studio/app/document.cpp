@@ -59,13 +59,15 @@ QString Document::name() const {
     return QString::fromStdString(project().takes.front().name);
 }
 
-void Document::open(History history, Analysis analysis, const QString& path, bool unsaved) {
+void Document::open(History history, Analysis analysis, const QString& path, bool unsaved,
+                    std::string onDisk) {
     jobs_.cancel();
     waiting_.clear();
     history_ = std::move(history);
     analysis_ = std::move(analysis);
     current_ = true;
     path_ = path;
+    onDisk_ = std::move(onDisk);
     unsaved_ = unsaved;
     open_ = true;
     endGesture();
@@ -74,8 +76,9 @@ void Document::open(History history, Analysis analysis, const QString& path, boo
     Q_EMIT changed();
 }
 
-void Document::markSaved(const QString& path) {
+void Document::markSaved(const QString& path, std::string onDisk) {
     path_ = path;
+    onDisk_ = std::move(onDisk);
     unsaved_ = false;
     history_.markSaved();
     endGesture();

@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/project/analysis.h"
@@ -34,12 +35,19 @@ public:
     QString path() const { return path_; }
     /// "bout.kumite", or the first take's name.
     QString name() const;
+    /// It is not what its file holds, whatever the history says.
+    bool isUnsaved() const { return unsaved_; }
     /// Edits that wait for the derived values count.
     bool isModified() const { return open_ && (unsaved_ || !history_.isSaved() || isWaiting()); }
 
+    /// What the file held when it was last read or written here, as `fingerprint` tells: another
+    /// content there is somebody else's. Empty where there is no such file.
+    const std::string& onDisk() const { return onDisk_; }
+
     /// Makes a project the open one. `unsaved`: it is not what the file at `path` holds.
-    void open(History history, Analysis analysis, const QString& path, bool unsaved);
-    void markSaved(const QString& path);
+    void open(History history, Analysis analysis, const QString& path, bool unsaved,
+              std::string onDisk = {});
+    void markSaved(const QString& path, std::string onDisk = {});
 
     using ProjectEdit = std::function<MaybeEdit(const Project&)>;
     using BoundaryEdit = std::function<MaybeEdit(const Project&, const Analysis&)>;
@@ -90,6 +98,7 @@ private:
     History history_;
     Analysis analysis_;
     QString path_;
+    std::string onDisk_;
     bool open_ = false;
     bool unsaved_ = false;
     bool current_ = true;

@@ -18,6 +18,7 @@
 #include "core/project/project_file.h"
 #include "studio/app/body_models.h"
 #include "studio/app/commands.h"
+#include "studio/app/language.h"
 #include "studio/app/opening.h"
 #include "studio/app/panel_parts.h"
 #include "studio/app/questions.h"
@@ -92,7 +93,7 @@ FighterProperties::FighterProperties(Session& session, const CommandTable& comma
 
 QDoubleSpinBox* FighterProperties::addNumber(const QString& name, const QString& tip) {
     auto* field = new QDoubleSpinBox(content_);
-    field->setLocale(QLocale::c());
+    field->setLocale(fieldLocale());
     field->setKeyboardTracking(false);
     field->setAlignment(Qt::AlignRight);
     field->setFixedWidth(120);

@@ -3,8 +3,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -13,6 +11,7 @@
 #include "core/project/export.h"
 #include "core/project/import.h"
 #include "core/project/project_file.h"
+#include "studio/app/folders.h"
 #include "studio/app/import/import_dialog.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
@@ -40,21 +39,6 @@ FileActions::FileActions(Session& session, MessageStrip& strip, QWidget* window)
     : QObject(window), session_(session), strip_(strip), window_(window) {
     for (JobRunner* runner : {&jobs_, &writing_, &exporting_})
         connect(runner, &JobRunner::failed, &strip_, &MessageStrip::showError);
-}
-
-QString FileActions::startFolder() const {
-    const Document& document = session_.document();
-    if (!document.path().isEmpty()) return QFileInfo(document.path()).absolutePath();
-    const auto& takes = document.project().takes;
-    if (!takes.empty() && !takes.front().fighters.empty()) {
-        const auto folder = takes.front().fighters.front().recording.path.parent_path();
-        // The demo bout's own folder is no place for anybody's work.
-        if (folder != demoFolder()) return fromPath(folder);
-    }
-    return QSettings()
-        .value(QStringLiteral("folder"),
-               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-        .toString();
 }
 
 void FileActions::open(const QStringList& files) {
@@ -115,10 +99,9 @@ void FileActions::openProjectFile(const QString& path) {
         [absolute](const Progress& progress) { return openProject(absolute, progress); },
         [this, absolute, asCopy, lock](OpenedProject project) {
             lock_ = asCopy ? nullptr : lock;
-            onDisk_ = asCopy ? std::string() : project.fingerprint;
             session_.document().open(History(std::move(project.project)),
                                      std::move(project.analysis), asCopy ? QString() : absolute,
-                                     asCopy);
+                                     asCopy, asCopy ? std::string() : project.fingerprint);
             strip_.dismiss();
             strip_.showFindings(tr("Found in %1").arg(QFileInfo(absolute).fileName()),
                                 project.findings);
@@ -136,7 +119,6 @@ void FileActions::openDemo() {
         },
         [this](OpenedProject project) {
             lock_ = nullptr;
-            onDisk_.clear();
             session_.document().open(History(std::move(project.project)),
                                      std::move(project.analysis), {}, false);
             strip_.dismiss();
@@ -150,11 +132,10 @@ void FileActions::openRecovered(const RecoveryCopy& copy) {
         tr("Recovering %1").arg(copy.name),
         [copy](const Progress& progress) { return openCopy(copy, progress); },
         [this, copy](OpenedProject project) {
-            // What its file holds now is not known to be what was edited: saving asks.
+            // Saving asks where its file is not any more what was edited.
             lock_.reset();
-            onDisk_.clear();
             session_.document().open(History(std::move(project.project), "Recover"),
-                                     std::move(project.analysis), copy.original, true);
+                                     std::move(project.analysis), copy.original, true, copy.onDisk);
             strip_.showFindings(tr("Found while recovering"), project.findings);
             Q_EMIT recovered(copy);
         });
@@ -169,7 +150,6 @@ void FileActions::openBout(const TakeRequest& request, bool unsaved, const Recor
         },
         [this, files, unsaved](OpenedProject project) {
             lock_.reset();
-            onDisk_.clear();
             session_.document().open(History(std::move(project.project)),
                                      std::move(project.analysis), {}, unsaved);
             strip_.dismiss();
@@ -193,10 +173,10 @@ void FileActions::addBout(const TakeRequest& request, const Recordings& known) {
 
 void FileActions::askForRecordings() {
     const QStringList files =
-        filesToOpen(window_, tr("Open one or two recordings"), startFolder(),
+        filesToOpen(window_, tr("Open one or two recordings"), startFolder(session_.document()),
                     tr("Recordings (*.bvh *.BVH *.amc *.AMC);;All files (*)"));
     if (files.isEmpty()) return;
-    QSettings().setValue(QStringLiteral("folder"), QFileInfo(files.front()).absolutePath());
+    rememberFolder(files.front());
     if (files.size() > 2 || std::any_of(files.begin(), files.end(), isProjectFile)) {
         open(files);
     } else {
@@ -221,10 +201,10 @@ void FileActions::showImportDialog(const QStringList& files) {
 
 void FileActions::askForProject() {
     if (!mayLeave()) return;
-    const QString path =
-        fileToOpen(window_, tr("Open a project"), startFolder(), tr("Kumite projects (*.kumite)"));
+    const QString path = fileToOpen(window_, tr("Open a project"), startFolder(session_.document()),
+                                    tr("Kumite projects (*.kumite)"));
     if (path.isEmpty()) return;
-    QSettings().setValue(QStringLiteral("folder"), QFileInfo(path).absolutePath());
+    rememberFolder(path);
     openProjectFile(path);
 }
 
@@ -238,7 +218,8 @@ void FileActions::askForMissingRecording() {
             window_,
             tr("Where is %1 of %2?")
                 .arg(QFileInfo(fromPath(fighter.recording.path)).fileName(), fighterText(player)),
-            startFolder(), tr("Recordings (*.bvh *.BVH *.amc *.AMC);;All files (*)"));
+            startFolder(session_.document()),
+            tr("Recordings (*.bvh *.BVH *.amc *.AMC);;All files (*)"));
         if (path.isEmpty()) return;
         const FighterAddress address{session_.take(), player};
         jobs_.start(

@@ -60,6 +60,7 @@ public:
     /// Writes beside the window and waits for it; false: not saved, and said why.
     bool saveTo(const QString& path);
     void askForExport();
+    void askForMotionExport();
     /// Writes beside the window; `reported` tells the end.
     void exportTo(const QString& path);
     /// Lists the states of the project that were saved over.
@@ -67,6 +68,12 @@ public:
 
     /// Asks what to do with unsaved changes; false: stay.
     bool mayLeave();
+
+    /// Waits until edits that wait for derived values are made.
+    void finishEdits();
+    /// The lock of the open project; null: it has no file.
+    std::shared_ptr<ProjectLock> lock() const { return lock_; }
+    void setLock(std::shared_ptr<ProjectLock> lock) { lock_ = std::move(lock); }
 
 Q_SIGNALS:
     /// A bout was opened from these files.
@@ -77,15 +84,15 @@ Q_SIGNALS:
     void reported(const QString& text);
 
 private:
+    /// Where an export of the shown take would go, without a suffix.
+    QString exportName() const;
     struct Saved;
 
-    QString startFolder() const;
     void refuseFiles(const QStringList& files, bool anyProject);
     void restore(const KeptVersion& version);
     void openVersion(const KeptVersion& version);
     bool mayTakeOver(ProjectLock& lock, const QString& path);
     bool mayReplace(const QString& path);
-    void finishEdits();
     std::optional<Saved> write(const QString& path, bool whateverIsThere);
 
     Session& session_;
@@ -93,9 +100,8 @@ private:
     QWidget* window_;
     JobRunner jobs_;
     JobRunner writing_;
-    JobRunner exporting_;                ///< goes on while the project is saved
-    std::shared_ptr<ProjectLock> lock_;  ///< of the open project; null: it has no file
-    std::string onDisk_;                 ///< what its file held when it was last read or written
+    JobRunner exporting_;  ///< goes on while the project is saved
+    std::shared_ptr<ProjectLock> lock_;
 };
 
 }  // namespace kumite::studio

@@ -10,6 +10,7 @@
 #include "core/project/export.h"
 #include "core/project/project_file.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/folders.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/project_guard.h"
 #include "studio/app/questions.h"
@@ -36,7 +37,8 @@ bool FileActions::saveAs() {
     const Document& document = session_.document();
     QString suggestion = document.path();
     if (suggestion.isEmpty()) {
-        suggestion = startFolder() + QLatin1Char('/') + document.name() + QStringLiteral(".kumite");
+        suggestion =
+            startFolder(document) + QLatin1Char('/') + document.name() + QStringLiteral(".kumite");
     }
     QString path =
         fileToSave(window_, tr("Save the project"), suggestion, tr("Kumite projects (*.kumite)"));
@@ -63,7 +65,7 @@ std::optional<FileActions::Saved> FileActions::write(const QString& path, bool w
     writing_.start(
         tr("Saving %1").arg(QFileInfo(path).fileName()),
         [project = session_.document().project(), path, whateverIsThere,
-         expected = onDisk_](const Progress&) {
+         expected = session_.document().onDisk()](const Progress&) {
             Saved result;
             if (!whateverIsThere) {
                 const std::string now = fingerprint(path);
@@ -99,8 +101,7 @@ bool FileActions::saveTo(const QString& path) {
     }
     if (!saved) return false;
     lock_ = lock;
-    onDisk_ = saved->fingerprint;
-    session_.document().markSaved(absolute);
+    session_.document().markSaved(absolute, saved->fingerprint);
     rememberFiles({absolute});
     strip_.showFindings(tr("Found while saving"), saved->findings);
     Q_EMIT reported(tr("Saved %1.").arg(QFileInfo(path).fileName()));
@@ -125,10 +126,10 @@ bool FileActions::mayTakeOver(ProjectLock& lock, const QString& path) {
 }
 
 bool FileActions::mayReplace(const QString& path) {
-    QMessageBox box(
-        QMessageBox::Question, tr("Changed on the disk"),
-        tr("%1 was changed by somebody else since you opened it.").arg(QFileInfo(path).fileName()),
-        QMessageBox::Cancel, window_);
+    QMessageBox box(QMessageBox::Question, tr("Changed on the disk"),
+                    tr("%1 was changed outside this window since you opened it.")
+                        .arg(QFileInfo(path).fileName()),
+                    QMessageBox::Cancel, window_);
     box.setInformativeText(
         tr("It was written %1. If you save over it, what it holds now is kept as a version.")
             .arg(momentText(QFileInfo(path).lastModified(), true)));
@@ -140,14 +141,29 @@ bool FileActions::mayReplace(const QString& path) {
     return answer == over;
 }
 
+QString FileActions::exportName() const {
+    const Document& document = session_.document();
+    const auto& takes = document.project().takes;
+    const QString take =
+        QString::fromStdString(takes[static_cast<std::size_t>(session_.take())].name);
+    const QString project = QFileInfo(document.path()).completeBaseName();
+    const QString name = project.isEmpty() || project == take ? take
+                         : takes.size() == 1                  ? project
+                                                              : project + QLatin1Char('-') + take;
+    return startFolder(document) + QLatin1Char('/') + name;
+}
+
 void FileActions::askForExport() {
-    const auto& take =
-        session_.document().project().takes[static_cast<std::size_t>(session_.take())];
-    const QString suggestion = startFolder() + QLatin1Char('/') +
-                               QString::fromStdString(take.name) + QStringLiteral(".csv");
-    const QString path = fileToSave(window_, tr("Export the actions of this take"), suggestion,
-                                    tr("Table of actions (*.csv);;Segmentation (*.json);;Motion, "
-                                       "one file per fighter (*.bvh)"));
+    const QString path = fileToSave(window_, tr("Export the actions of this take"),
+                                    exportName() + QStringLiteral(".csv"),
+                                    tr("Table of actions (*.csv);;Segmentation (*.json)"));
+    if (!path.isEmpty()) exportTo(path);
+}
+
+void FileActions::askForMotionExport() {
+    const QString path = fileToSave(window_, tr("Export the motion of this take"),
+                                    exportName() + QStringLiteral(".bvh"),
+                                    tr("Motion, one file per fighter (*.bvh)"));
     if (!path.isEmpty()) exportTo(path);
 }
 
@@ -209,7 +225,6 @@ void FileActions::openVersion(const KeptVersion& version) {
         },
         [this, when](std::pair<LoadedProject, Analysis> version) {
             lock_.reset();
-            onDisk_.clear();
             session_.document().open(History(std::move(version.first.project)),
                                      std::move(version.second), {}, true);
             strip_.showFindings(tr("Found in the version"), version.first.findings);

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "studio/app/core_words.h"
 #include "studio/app/document.h"
 #include "studio/app/theme.h"
 
@@ -54,7 +55,7 @@ QVariant HistoryModel::data(const QModelIndex& index, int role) const {
     const auto step = static_cast<std::size_t>(index.row());
     if (!index.isValid() || step >= history.steps().size()) return {};
     const bool current = step == history.position();
-    const QString name = QString::fromStdString(history.steps()[step].name);
+    const QString name = coreWords(history.steps()[step].name);
     switch (role) {
         case Qt::DisplayRole:
             return name;

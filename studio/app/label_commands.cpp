@@ -57,6 +57,16 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
         [review] { review->clear(); });
     add("label.acceptSure", tr("Accept the &sure rest"), {QKeySequence("Ctrl+Return")},
         [&panel] { panel.acceptSure(); });
+    const auto bar = [&](const char* id, const QString& text, const char* key, double by) {
+        commands_->add({id,
+                        menu,
+                        text,
+                        {QKeySequence(QLatin1String(key))},
+                        [&panel, by] { panel.moveBar(by); },
+                        has});
+    };
+    bar("label.barDown", tr("Less sure is sure eno&ugh"), "Ctrl+Down", -0.05);
+    bar("label.barUp", tr("On&ly surer is sure enough"), "Ctrl+Up", 0.05);
     add(
         "label.advance", tr("Answers &go on to the next question"), {QKeySequence("Y")},
         [review] { review->setAdvancing(!review->isAdvancing()); }, false, {},
@@ -103,9 +113,8 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
                             ? QList{QKeySequence(QString::fromStdString(quick[index].key))}
                             : QList<QKeySequence>(),
                         [review, i] { review->quick(i); }};
-        command.enabled = [this, index] {
-            return hasTake() && index < quickLabels(labels_->vocabulary()).size();
-        };
+        command.shown = [this, index] { return index < quickLabels(labels_->vocabulary()).size(); };
+        command.enabled = [this, shown = command.shown] { return hasTake() && shown(); };
         command.repeats = false;
         commands_->add(std::move(command));
     }

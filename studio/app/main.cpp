@@ -3,6 +3,7 @@
 #include <QScopeGuard>
 #include <QSettings>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -12,6 +13,7 @@
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/icons.h"
+#include "studio/app/language.h"
 #include "studio/app/loop_watch.h"
 #include "studio/app/main_window.h"
 #include "studio/app/message_strip.h"
@@ -21,6 +23,7 @@
 #include "studio/app/recovery.h"
 #include "studio/app/recovery_dialog.h"
 #include "studio/app/script.h"
+#include "studio/app/window_keeper.h"
 
 namespace {
 
@@ -34,6 +37,7 @@ struct Wishes {
     QStringList script;  ///< lines of one
     QSize size;
     std::optional<ThemeChoice> theme;
+    QString language;
     std::optional<double> time;
     std::optional<double> rate;
     bool watch = false;
@@ -45,6 +49,13 @@ struct Wishes {
 [[noreturn]] void refuse(const QString& sentence) {
     tell(sentence);
     std::exit(2);
+}
+
+bool isKnownLanguage(const QString& code) {
+    const auto& all = languages();
+    return code.isEmpty() || code == QLatin1String("pseudo") ||
+           std::any_of(all.begin(), all.end(),
+                       [&](const Language& language) { return language.code == code; });
 }
 
 std::optional<double> numberOption(const QCommandLineParser& parser, const QString& name) {
@@ -65,6 +76,7 @@ Wishes readCommandLine(const QApplication& application) {
         {{"picture", "Write a picture of the window to OUT.png and exit.", "OUT.png"},
          {"size", "Size of the window, such as 1280x800.", "WxH"},
          {"theme", "dark or light; otherwise as the system.", "THEME"},
+         {"language", "de, en, fr, ja, ko or zh_TW; otherwise as chosen, or the system's.", "CODE"},
          {"time", "Moment that is shown first, seconds.", "S"},
          {"rate", "Frame rate of the recordings, where their headers are wrong.", "HZ"},
          {"run", "Run a command once everything is open, such as help.keys; may be given again.",
@@ -84,6 +96,8 @@ Wishes readCommandLine(const QApplication& application) {
     }
     wishes.script += parser.values("run");
     wishes.watch = parser.isSet("watch");
+    wishes.language = parser.value("language");
+    if (!isKnownLanguage(wishes.language)) refuse("--language is de, en, fr, ja, ko or zh_TW.");
     wishes.time = numberOption(parser, "time");
     wishes.rate = numberOption(parser, "rate");
     const QString theme = parser.value("theme");
@@ -171,7 +185,13 @@ int main(int argc, char** argv) {
         QSettings().clear();
     }
     applyTheme(wishes.theme.value_or(Preferences().values().theme));
-    MainWindow window;
+    // Pictures are English unless they are asked for otherwise.
+    const QString english = QStringLiteral("en");
+    useLanguage(!wishes.language.isEmpty() ? wishes.language
+                : picture                  ? english
+                                           : Preferences().values().language);
+    WindowKeeper keeper;
+    MainWindow& window = keeper.window();
     if (wishes.theme) window.setTheme(*wishes.theme);
     if (!wishes.size.isEmpty()) window.resize(wishes.size);
     window.show();
@@ -185,20 +205,14 @@ int main(int argc, char** argv) {
         if (!runScript(window, wishes.script, watch.get())) return 1;
         return takePicture(window, wishes.picture, wishes.time) ? 0 : 1;
     }
-    Recovery recovery(window.session());
-    QObject::connect(&recovery, &Recovery::failed, &window.messages(), &MessageStrip::showError);
-    const auto setInterval = [&] {
-        recovery.setInterval(window.preferences().values().autosaveSeconds);
-    };
-    setInterval();
-    QObject::connect(&window.preferences(), &Preferences::changed, &recovery, setInterval);
+    keeper.keepCopies();
     if (wishes.time) {
         waitWhileBusy(window);
         window.session().transport().setPlayhead(*wishes.time);
     }
-    offerRecovery(window, recovery);
+    offerRecovery(window, *keeper.recovery());
     if (!runScript(window, wishes.script, watch.get())) return 1;
-    if (!window.isVisible()) return 0;  // a command has quit already
-    setAttended(true);                  // whoever watches works on by hand
+    if (!keeper.window().isVisible()) return 0;  // a command has quit already
+    setAttended(true);                           // whoever watches works on by hand
     return QApplication::exec();
 }

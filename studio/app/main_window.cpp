@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPointer>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -117,6 +118,20 @@ MainWindow::~MainWindow() {
     delete takeCentralWidget();
 }
 
+/// Nothing is shown any more that has the focus: Qt hands it to whatever control comes next, which
+/// then takes the keys that are meant for commands.
+void MainWindow::focusMoved(QWidget* from, QWidget* to) {
+    if (from == nullptr || to == nullptr || from->isVisible() || !isAncestorOf(from) ||
+        !isAncestorOf(to) || to->window() != this || !stage_->isVisible())
+        return;
+    QMetaObject::invokeMethod(
+        this,
+        [this, handed = QPointer<QWidget>(to)] {
+            if (handed && handed == QApplication::focusWidget()) stage_->setFocus();
+        },
+        Qt::QueuedConnection);
+}
+
 void MainWindow::layOut() {
     pages_ = new QStackedWidget(this);
     columns_ = new QSplitter(Qt::Horizontal, pages_);
@@ -177,6 +192,7 @@ void MainWindow::layOut() {
 }
 
 void MainWindow::listen() {
+    connect(qApp, &QApplication::focusChanged, this, &MainWindow::focusMoved);
     Document& document = session_.document();
     connect(&document, &Document::failed, strip_, &MessageStrip::showError);
     connect(&document, &Document::changed, this, [this] {
@@ -307,7 +323,7 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         auto* key = static_cast<QKeyEvent*>(event);
         if (const auto* widget = qobject_cast<QWidget*>(watched);
-            widget != nullptr && worksControl(*widget, *key)) {
+            widget != nullptr && (worksControl(*widget, *key) || isOfTheViews(*widget, *key))) {
             event->accept();
             return true;
         }
@@ -326,7 +342,19 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
             return true;
         }
     }
+    if (event->type() == QEvent::KeyPress &&
+        pressesButton(watched, *static_cast<QKeyEvent*>(event)))
+        return true;
     return QMainWindow::eventFilter(watched, event);
+}
+
+bool MainWindow::isOfTheViews(const QWidget& focused, const QKeyEvent& key) const {
+    if (!menuBar()->isAncestorOf(&focused)) return false;
+    const QKeySequence pressed(key.keyCombination());
+    const auto& all = commands_->commands();
+    return std::any_of(all.begin(), all.end(), [&](const Command& command) {
+        return !command.scopes.isEmpty() && command.keys.contains(pressed);
+    });
 }
 
 bool MainWindow::goesToCommands(const QWidget& field, const QKeyEvent& key) const {

@@ -9,6 +9,7 @@
 #include "studio/app/preferences.h"
 #include "studio/app/preferences_dialog.h"
 #include "studio/app/session.h"
+#include "studio/app/window_state.h"
 
 class QKeyEvent;
 class QSplitter;
@@ -80,6 +81,10 @@ public:
 
     /// Whether something is being read or computed.
     bool isBusy() const;
+    /// All that another window needs to go on in its place; edits that wait are made before.
+    WindowState handOver();
+    void takeOver(WindowState state);
+    bool isShowingPreferences() const { return !preferencesDialog_.isNull(); }
     /// Shows the page of keys; it stays open beside the window.
     void showKeys();
     void showPreferences(PreferencesDialog::Page page);
@@ -133,6 +138,11 @@ private:
     void refreshIcons();
     void showKeysHint();
     QStringList keysHint() const;
+    void takeOverLabels();
+    void focusMoved(QWidget* from, QWidget* to);
+    /// Whether a key belongs to commands of the views, and the focus is elsewhere: the top bar, of
+    /// which Qt thinks that what its menus hold works everywhere in it.
+    bool isOfTheViews(const QWidget& focused, const QKeyEvent& key) const;
     bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();
     void changeSpeed(int direction);

@@ -73,6 +73,12 @@ void MainWindow::addFileCommands() {
                     {QKeySequence("Ctrl+E")},
                     [this] { files_->askForExport(); },
                     [this] { return hasTake(); }});
+    commands_->add({"file.exportMotion",
+                    menu,
+                    tr("Export &motion…"),
+                    {},
+                    [this] { files_->askForMotionExport(); },
+                    [this] { return hasTake(); }});
     const auto missing = [this] {
         for (int player = 0; player < session_.playerCount(); ++player) {
             if (session_.fighter(player) == nullptr) return session_.document().isCurrent();

@@ -112,15 +112,21 @@ void MainWindow::addGraphWorkspace() {
                       graphCentre_});
     graphCentre_->addStep(tr("Label actions"), tr("Go to the Label workspace"),
                           [this] { workspaces_->show(QStringLiteral("label")); });
-    graphCentre_->addStep(tr("Take over labels…"),
+    graphCentre_->addStep(tr("Take over labels"),
                           tr("From a table of labels; of a made bout at once its truth"),
-                          [this] { exchange_->takeOver(); });
+                          [this] { takeOverLabels(); });
     const auto follow = [this, strip] {
         graph_->setActive(workspaces_->current() == QLatin1String("graph"));
         strip->setVisible(graph_->isActive() && graph_->hasGraph());
     };
     connect(workspaces_, &Workspaces::changed, graph_, follow);
     follow();
+}
+
+/// The page with the button goes; keys are the 3D view's then.
+void MainWindow::takeOverLabels() {
+    stage_->setFocus();
+    exchange_->takeOver();
 }
 
 void MainWindow::addBoutWorkspace() {
@@ -138,9 +144,9 @@ void MainWindow::addBoutWorkspace() {
                       }});
     page->addStep(tr("Label actions"), tr("Go to the Label workspace"),
                   [this] { workspaces_->show(QStringLiteral("label")); });
-    page->addStep(tr("Take over labels…"),
+    page->addStep(tr("Take over labels"),
                   tr("From a table of labels; of a made bout at once its truth"),
-                  [this] { exchange_->takeOver(); });
+                  [this] { takeOverLabels(); });
     auto* below = new QWidget(rows_);  // in the timeline's place
     auto* box = new QVBoxLayout(below);
     box->setContentsMargins(0, 0, 0, 0);
@@ -240,8 +246,8 @@ void MainWindow::addKeyframeWorkspace() {
     auto* box = new QVBoxLayout(below);
     box->setContentsMargins(0, 0, 0, 0);
     box->setSpacing(0);
-    box->addWidget(new KeyBar(*keys_, *commands_, below));
-    box->addWidget(new KeyStrip(*keys_, below), 1);
+    box->addWidget(new KeyBar(*keys_, *hit_, *commands_, below));
+    box->addWidget(new KeyStrip(*keys_, *hit_, below), 1);
     new KeyStage(*keys_, *hit_, *stage_, this);
     const auto follow = [this, below] {
         const bool shown = workspaces_->current() == QLatin1String("keyframe");

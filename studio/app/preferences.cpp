@@ -32,6 +32,7 @@ Preferences::Preferences(QObject* parent) : QObject(parent) {
     v.theme = static_cast<ThemeChoice>(settings.value("theme", static_cast<int>(v.theme)).toInt());
     v.textSize = settings.value("textSize", v.textSize).toInt();
     v.reduceMotion = settings.value("reduceMotion", v.reduceMotion).toBool();
+    v.language = settings.value("language").toString();
     v.autosaveSeconds = settings.value("autosaveSeconds", v.autosaveSeconds).toInt();
     v.leapFrames = settings.value("leapFrames", v.leapFrames).toInt();
     v.playbackSpeed = settings.value("playbackSpeed", v.playbackSpeed).toDouble();
@@ -45,6 +46,7 @@ void Preferences::set(PreferenceValues values) {
     if (values == values_) return;
     values_ = values;
     QSettings settings;
+    settings.setValue("language", values.language);
     settings.setValue("theme", static_cast<int>(values.theme));
     settings.setValue("textSize", values.textSize);
     settings.setValue("reduceMotion", values.reduceMotion);

@@ -8,6 +8,7 @@ namespace kumite::studio {
 
 /// What a user wants of every project.
 struct PreferenceValues {
+    QString language;  ///< as useLanguage takes it; empty: the system's
     ThemeChoice theme = ThemeChoice::System;
     int textSize = 100;          ///< percent of the platform's; 100 … 200
     bool reduceMotion = false;   ///< nothing begins to move by itself

@@ -15,6 +15,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/app/key_editor.h"
+#include "studio/app/language.h"
 #include "studio/app/panel_parts.h"
 #include "studio/app/preferences.h"
 
@@ -89,6 +90,14 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     theme->addItems({tr("As the system"), tr("Light"), tr("Dark")});
     describe(theme, tr("Theme"), tr("Colours of the whole window."));
     form->addRow(tr("Theme"), theme);
+    auto* language = new QComboBox(page);
+    language->addItem(tr("As the system"), QString());
+    for (const Language& each : languages())
+        language->addItem(each.name, each.code);
+    describe(language, tr("Language"),
+             tr("Of all texts, numbers and dates in the window; files do not know it. The window "
+                "is made anew at once, with what is open in it."));
+    form->addRow(tr("Language"), language);
     auto* size = new QSpinBox(page);
     size->setRange(100, 200);
     size->setSingleStep(25);
@@ -144,6 +153,7 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     const auto show = [=, this] {
         const PreferenceValues& v = preferences_.values();
         theme->setCurrentIndex(static_cast<int>(v.theme));
+        language->setCurrentIndex(std::max(0, language->findData(v.language)));
         size->setValue(v.textSize);
         still->setChecked(v.reduceMotion);
         speed->setValue(v.playbackSpeed * 100);
@@ -157,14 +167,19 @@ QWidget* PreferencesDialog::makeGeneralPage() {
          {static_cast<QAbstractSpinBox*>(size), static_cast<QAbstractSpinBox*>(speed),
           static_cast<QAbstractSpinBox*>(leap), static_cast<QAbstractSpinBox*>(mouse),
           static_cast<QAbstractSpinBox*>(autosave)}) {
-        box->setLocale(QLocale::c());
+        box->setLocale(fieldLocale());
         box->setKeyboardTracking(false);
         box->setMinimumWidth(120);
     }
     theme->setMinimumWidth(160);
+    language->setMinimumWidth(160);
     connect(&preferences_, &Preferences::changed, page, show);
     connect(theme, &QComboBox::currentIndexChanged, page,
             [this](int index) { preferences_.setTheme(static_cast<ThemeChoice>(index)); });
+    connect(language, &QComboBox::activated, page, [this, language] {
+        change(preferences_,
+               [=](PreferenceValues& v) { v.language = language->currentData().toString(); });
+    });
     connect(size, &QSpinBox::valueChanged, page, [this](int percent) {
         change(preferences_, [=](PreferenceValues& v) { v.textSize = percent; });
     });

@@ -1,5 +1,7 @@
 #include "studio/app/questions.h"
 
+#include "studio/app/language.h"
+
 #include <QAbstractButton>
 #include <QCoreApplication>
 #include <QFileDialog>
@@ -14,13 +16,13 @@ namespace {
 bool attended = true;
 
 /// Translations of this file.
-QString text(const char* source) {
-    return QCoreApplication::translate("kumite::studio::Questions", source);
-}
+struct Questions {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::Questions)
+};
 
 /// With nobody there says that no file is chosen.
 bool mayAskForFile(const QString& title) {
-    if (!attended) tell(text("%1: nobody is here to choose a file.").arg(title));
+    if (!attended) tell(Questions::tr("%1: nobody is here to choose a file.").arg(title));
     return attended;
 }
 
@@ -43,8 +45,8 @@ QAbstractButton* answerOf(QMessageBox& box, QAbstractButton* unattended) {
         box.exec();
         return box.clickedButton();
     }
-    tell(text("%1 Nobody is here to answer: %2.")
-             .arg(box.text(), unattended->text().remove(QLatin1Char('&'))));
+    tell(Questions::tr("%1 Nobody is here to answer: %2.")
+             .arg(box.text(), withoutMnemonic(unattended->text())));
     return unattended;
 }
 

@@ -41,6 +41,7 @@ std::optional<RecoveryCopy> readCopy(const QString& path) {
     copy.base = withoutSuffix(path);
     copy.original = about.value(QStringLiteral("original")).toString();
     copy.name = about.value(QStringLiteral("name")).toString();
+    copy.onDisk = about.value(QStringLiteral("onDisk")).toString().toStdString();
     copy.edits = about.value(QStringLiteral("edits")).toInt();
     copy.time =
         QDateTime::fromString(about.value(QStringLiteral("time")).toString(), Qt::ISODateWithMs);
@@ -84,6 +85,7 @@ QByteArray Recovery::copyText() const {
     const QJsonObject about{
         {"original", document.path()},
         {"name", document.name()},
+        {"onDisk", QString::fromStdString(document.onDisk())},
         {"edits", before_ + static_cast<int>(document.history().editsSinceSaved())},
         {"time", QDateTime::currentDateTime().toString(Qt::ISODateWithMs)}};
     return QJsonDocument(about).toJson(QJsonDocument::Compact) + '\n' +

@@ -6,6 +6,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/project/project.h"
@@ -20,6 +21,7 @@ struct RecoveryCopy {
     QString base;      ///< path of its files without their suffixes
     QString original;  ///< the project that it is of; empty: it was never saved
     QString name;
+    std::string onDisk;  ///< fingerprint of the project's file when it was last read or saved
     QDateTime time;      ///< of the last edit in it
     int edits = 0;       ///< since the project was saved
     QByteArray project;  ///< text of the project file

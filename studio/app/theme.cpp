@@ -48,7 +48,7 @@ QString styleSheetOf(const Colours& c) {
     QString sheet = QStringLiteral(R"(
 QMainWindow, QDialog { background: @panel; }
 QMenuBar { background: @panel; border-bottom: 1px solid @line; padding: 1px 4px; }
-QMenuBar::item { padding: 3px 8px; background: transparent; border-radius: 3px; }
+QMenuBar::item { padding: 5px 8px; background: transparent; border-radius: 3px; }
 QMenuBar::item:selected { background: @hover; }
 QMenu { background: @panel; border: 1px solid @line; padding: 4px 0; }
 QMenu::item { padding: 4px 28px 4px 24px; }
@@ -84,6 +84,9 @@ QToolButton[role="small"] { padding: 1px; }
 QToolButton[role="small"][text] { padding: 1px 6px; color: @second; }
 QToolButton:hover { background: @hover; }
 QToolButton:checked { background: @hover; border: 1px solid @line; }
+QToolButton[role="workspace"] { border-bottom: 2px solid transparent; padding-bottom: 2px; }
+QToolButton[role="workspace"]:hover { background: transparent; border-color: @line; }
+QToolButton[role="workspace"]:checked { background: @hover; border-bottom: 2px solid @accent; }
 QToolButton:focus { border: 1px solid @accent; }
 QAbstractItemView { background: @panel; border: 1px solid transparent; outline: none;
     selection-background-color: @chosen; selection-color: @text; }

@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QSettings>
 
@@ -18,24 +19,25 @@ namespace kumite::studio {
 namespace {
 
 /// Translations of this file, in the window's context.
-QString text(const char* source) {
-    return QApplication::translate("kumite::studio::StageCommands", source);
-}
+/// Translations of this file.
+struct StageCommands {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::StageCommands)
+};
 
 void savePicture(StageView& stage, const Session& session) {
     QSettings settings;
     const QString key = QStringLiteral("pictureFolder");
     const QString name = QFileInfo(session.document().name()).completeBaseName();
     QString path = fileToSave(
-        stage.window(), text("Save a picture of the 3D view"),
+        stage.window(), StageCommands::tr("Save a picture of the 3D view"),
         settings.value(key).toString() + QLatin1Char('/') + name + QStringLiteral(".png"),
-        text("Pictures (*.png)"));
+        StageCommands::tr("Pictures (*.png)"));
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".png");
     settings.setValue(key, QFileInfo(path).absolutePath());
     if (stage.picture().save(path, "PNG")) return;
-    notify(stage.window(), text("Picture of the 3D view"),
-           text("%1: the picture cannot be written there.").arg(path));
+    notify(stage.window(), StageCommands::tr("Picture of the 3D view"),
+           StageCommands::tr("%1: the picture cannot be written there.").arg(path));
 }
 
 void stepTrail(StageView& stage, int frames) {
@@ -48,7 +50,7 @@ void stepTrail(StageView& stage, int frames) {
 }  // namespace
 
 void addStageCommands(CommandTable& commands, StageView& stage, const Session& session) {
-    const QString menu = text("3&D view");
+    const QString menu = StageCommands::tr("3&D view");
     const QString group = QLatin1Char('-') + menu;
     const auto open = [&session] { return session.playerCount() > 0; };
     StageView* view = &stage;
@@ -58,37 +60,37 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
 
     commands.add({"view.front",
                   menu,
-                  text("From the f&ront"),
+                  StageCommands::tr("From the f&ront"),
                   {QKeySequence("Alt+1")},
                   [view] { view->lookFromFront(); },
                   open});
     commands.add({"view.side",
                   menu,
-                  text("From the &side"),
+                  StageCommands::tr("From the &side"),
                   {QKeySequence("Alt+2")},
                   [view] { view->lookFromSide(); },
                   open});
     commands.add({"view.top",
                   menu,
-                  text("From a&bove"),
+                  StageCommands::tr("From a&bove"),
                   {QKeySequence("Alt+3")},
                   [view] { view->lookFromTop(); },
                   open});
     commands.add({"view.shoulder1",
                   menu,
-                  text("Over the shoulder of fighter 1"),
+                  StageCommands::tr("Over the shoulder of fighter 1"),
                   {QKeySequence("Alt+4")},
                   [view] { view->lookOverShoulder(0); },
                   recorded});
     commands.add({"view.shoulder2",
                   menu,
-                  text("Over the shoulder of fighter 2"),
+                  StageCommands::tr("Over the shoulder of fighter 2"),
                   {QKeySequence("Alt+5")},
                   [view] { view->lookOverShoulder(1); },
                   two});
     commands.add({"view.follow",
                   menu,
-                  text("&Follow the fighters"),
+                  StageCommands::tr("&Follow the fighters"),
                   {QKeySequence("Shift+F")},
                   [view] { view->setFollowing(!view->isFollowing()); },
                   open,
@@ -108,65 +110,68 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
                       open,
                       [view, field] { return view->overlays().*field; }});
     };
-    overlay("view.contacts", group, text("Foot &contacts"), "Alt+C", &Overlays::contacts);
-    overlay("view.trails", menu, text("&Trails of hands and feet"), "Alt+T", &Overlays::trails);
-    overlay("view.centreOfMass", menu, text("Centre of &mass"), "Alt+M", &Overlays::centreOfMass);
-    overlay("view.force", menu, text("Contact f&orce"), "Alt+O", &Overlays::force);
-    overlay("view.ghosts", menu, text("&Ghosts"), "Ctrl+G", &Overlays::ghosts);
+    overlay("view.contacts", group, StageCommands::tr("Foot &contacts"), "Alt+C",
+            &Overlays::contacts);
+    overlay("view.trails", menu, StageCommands::tr("&Trails of hands and feet"), "Alt+T",
+            &Overlays::trails);
+    overlay("view.centreOfMass", menu, StageCommands::tr("Centre of &mass"), "Alt+M",
+            &Overlays::centreOfMass);
+    overlay("view.force", menu, StageCommands::tr("Contact f&orce"), "Alt+O", &Overlays::force);
+    overlay("view.ghosts", menu, StageCommands::tr("&Ghosts"), "Ctrl+G", &Overlays::ghosts);
     commands.add({"view.trailLonger",
                   group,
-                  text("Longer trails"),
+                  StageCommands::tr("Longer trails"),
                   {QKeySequence("Alt+.")},
                   [view] { stepTrail(*view, 10); },
                   open});
     commands.add({"view.trailShorter",
                   menu,
-                  text("Shorter trails"),
+                  StageCommands::tr("Shorter trails"),
                   {QKeySequence("Alt+,")},
                   [view] { stepTrail(*view, -10); },
                   open});
     commands.add({"view.addGhost",
                   menu,
-                  text("&Leave a ghost here"),
+                  StageCommands::tr("&Leave a ghost here"),
                   {QKeySequence("G")},
                   [view] { view->addGhost(); },
                   recorded});
     commands.add({"view.clearGhosts",
                   menu,
-                  text("Remove all ghosts"),
+                  StageCommands::tr("Remove all ghosts"),
                   {QKeySequence("Shift+G")},
                   [view] { view->clearGhosts(); },
                   [view] { return view->ghostCount() > 0; }});
 
     commands.add({"view.measure",
                   group,
-                  text("&Measure"),
+                  StageCommands::tr("&Measure"),
                   {QKeySequence("M")},
                   [view] { view->setMeasuring(!view->isMeasuring()); },
                   recorded,
                   [view] { return view->isMeasuring(); }});
     commands.add({"view.nextJoint",
                   menu,
-                  text("Measure: next joint"),
+                  StageCommands::tr("Measure: next joint"),
                   {QKeySequence("Alt+PgDown")},
                   [view] { view->stepJoint(1); },
                   recorded});
     commands.add({"view.previousJoint",
                   menu,
-                  text("Measure: joint before"),
+                  StageCommands::tr("Measure: joint before"),
                   {QKeySequence("Alt+PgUp")},
                   [view] { view->stepJoint(-1); },
                   recorded});
     commands.add({"view.takeJoint",
                   menu,
-                  text("Measure from, then to this joint"),
+                  StageCommands::tr("Measure from, then to this joint"),
                   {QKeySequence("Shift+M")},
                   [view] { view->takeJoint(); },
                   [view] { return view->isMeasuring(); }});
     // Enabled only while measuring, so that Esc keeps its other meanings.
     Command leave{"view.leaveMeasuring",
                   menu,
-                  text("Leave measuring"),
+                  StageCommands::tr("Leave measuring"),
                   {QKeySequence("Esc")},
                   [view] { view->setMeasuring(false); },
                   [view] { return view->isMeasuring(); }};
@@ -175,13 +180,13 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
     commands.add(std::move(leave));
     commands.add({"view.copyPicture",
                   group,
-                  text("Co&py a picture"),
+                  StageCommands::tr("Co&py a picture"),
                   {QKeySequence("Ctrl+Shift+C")},
                   [view] { QApplication::clipboard()->setImage(view->picture()); },
                   open});
     commands.add({"view.savePicture",
                   menu,
-                  text("Save a p&icture…"),
+                  StageCommands::tr("Save a p&icture…"),
                   {},
                   [view, &session] { savePicture(*view, session); },
                   open});
@@ -206,7 +211,7 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
             return commands.find(QLatin1String(id))->keysText();
         };
         view->setMeasuringHint(
-            text("Click two joints; or %1 and %2 lead to a joint, %3 takes it")
+            StageCommands::tr("Click two joints; or %1 and %2 lead to a joint, %3 takes it")
                 .arg(key("view.nextJoint"), key("view.previousJoint"), key("view.takeJoint")));
     };
     hint();

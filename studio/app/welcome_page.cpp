@@ -1,6 +1,7 @@
 #include "studio/app/welcome_page.h"
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -30,6 +31,8 @@ QLabel* label(const QString& text, const char* role, QWidget* parent) {
 
 /// A bout that was opened lately: its name over its folder, the day at the right.
 class RecentButton : public QPushButton {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::RecentButton)
+
 public:
     RecentButton(const RecentBout& bout, QWidget* parent) : QPushButton(parent) {
         setProperty("role", "recent");

@@ -1,6 +1,7 @@
 #include "studio/app/words.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include <cmath>
 
@@ -10,9 +11,10 @@ namespace kumite::studio {
 
 namespace {
 
-QString words(const char* text) {
-    return QCoreApplication::translate("kumite", text);
-}
+/// Translations of this file.
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::Words)
+};
 
 QString clockText(double seconds, int decimals) {
     const double unit = std::pow(10.0, decimals);
@@ -42,51 +44,57 @@ QString timeText(double seconds, double step) {
 }
 
 QString bodyWeightsText(double bodyWeights) {
-    return QString::number(bodyWeights, 'f', 2) + QStringLiteral(" BW");
+    return numberText(bodyWeights, 2) + QStringLiteral(" BW");
 }
 
 QString percentText(double share) {
-    return QString::number(qRound(share * 100)) + QStringLiteral(" %");
+    return Words::tr("%1 %").arg(qRound(share * 100));
+}
+
+QString numberText(double number, int decimals) {
+    return QLocale().toString(number, 'f', decimals);
 }
 
 QString reasonText(const SuspectReason& reason) {
     using Kind = SuspectReason::Kind;
-    const QString prominence = words("prominence %1").arg(bodyWeightsText(reason.prominence));
-    const QString speed = QString::number(reason.footSpeed, 'f', 1);
+    const QString prominence = Words::tr("prominence %1").arg(bodyWeightsText(reason.prominence));
+    const QString speed = numberText(reason.footSpeed, 1);
     switch (reason.kind) {
         case Kind::SlowKick:
-            return (reason.left ? words("slow left kick, %1") : words("slow right kick, %1"))
+            return (reason.left ? Words::tr("slow left kick, %1")
+                                : Words::tr("slow right kick, %1"))
                 .arg(prominence);
         case Kind::MovingFoot:
-            return (reason.left ? words("left foot moves at %1 m/s, %2")
-                                : words("right foot moves at %1 m/s, %2"))
+            return (reason.left ? Words::tr("left foot moves at %1 m/s, %2")
+                                : Words::tr("right foot moves at %1 m/s, %2"))
                 .arg(speed, prominence);
         case Kind::Shallow:
-            return words("shallow, %1").arg(prominence);
+            return Words::tr("shallow, %1").arg(prominence);
         case Kind::Crowded:
-            return words("%1 s from the next minimum, %2")
-                .arg(QString::number(reason.nearest, 'f', 2), prominence);
+            return Words::tr("%1 s from the next minimum, %2")
+                .arg(numberText(reason.nearest, 2), prominence);
         case Kind::High:
-            return words("hardly dips (to %1), %2").arg(bodyWeightsText(reason.force), prominence);
+            return Words::tr("hardly dips (to %1), %2")
+                .arg(bodyWeightsText(reason.force), prominence);
         case Kind::Unremarkable:
             break;
     }
-    return words("nothing unusual, %1").arg(prominence);
+    return Words::tr("nothing unusual, %1").arg(prominence);
 }
 
 QString shortReasonText(const SuspectReason& reason) {
     using Kind = SuspectReason::Kind;
     switch (reason.kind) {
         case Kind::SlowKick:
-            return reason.left ? words("left kick") : words("right kick");
+            return reason.left ? Words::tr("left kick") : Words::tr("right kick");
         case Kind::MovingFoot:
-            return reason.left ? words("left foot") : words("right foot");
+            return reason.left ? Words::tr("left foot") : Words::tr("right foot");
         case Kind::Shallow:
-            return words("shallow");
+            return Words::tr("shallow");
         case Kind::Crowded:
-            return words("crowded");
+            return Words::tr("crowded");
         case Kind::High:
-            return words("hardly dips");
+            return Words::tr("hardly dips");
         case Kind::Unremarkable:
             break;
     }
@@ -94,7 +102,7 @@ QString shortReasonText(const SuspectReason& reason) {
 }
 
 QString suspicionText(const FighterAnalysis& fighter, const BoundaryMark& mark) {
-    return words("%1, suspicion %2")
+    return Words::tr("%1, suspicion %2")
         .arg(reasonText(suspectReason(fighter, *mark.minimum)), percentText(mark.suspicion));
 }
 
@@ -102,19 +110,19 @@ QString correctionWords(const Correction& correction, const Fighter& fighter) {
     const auto at = [&](int frame) { return timeText(timeOfFrame(fighter, frame)); };
     switch (correction.kind) {
         case Correction::Kind::Remove:
-            return words("removal at %1").arg(at(correction.frame));
+            return Words::tr("removal at %1").arg(at(correction.frame));
         case Correction::Kind::Add:
-            return words("addition at %1").arg(at(correction.frame));
+            return Words::tr("addition at %1").arg(at(correction.frame));
         case Correction::Kind::Move:
-            return words("move from %1 to %2").arg(at(correction.frame), at(correction.to));
+            return Words::tr("move from %1 to %2").arg(at(correction.frame), at(correction.to));
         case Correction::Kind::Keep:
-            return words("acceptance at %1").arg(at(correction.frame));
+            return Words::tr("acceptance at %1").arg(at(correction.frame));
     }
     return {};
 }
 
 QString fighterText(int player) {
-    return QCoreApplication::translate("kumite", "fighter %1").arg(player + 1);
+    return Words::tr("fighter %1").arg(player + 1);
 }
 
 QString momentText(const QDateTime& moment, bool seconds) {
@@ -122,24 +130,23 @@ QString momentText(const QDateTime& moment, bool seconds) {
         moment.time().toString(seconds ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm"));
     const QDate today = QDate::currentDate();
     if (moment.date() == today) {
-        return QCoreApplication::translate("words", "today %1").arg(time);
+        return Words::tr("today %1").arg(time);
     }
     if (moment.date() == today.addDays(-1)) {
-        return QCoreApplication::translate("words", "yesterday %1").arg(time);
+        return Words::tr("yesterday %1").arg(time);
     }
     return moment.date().toString(Qt::ISODate) + QLatin1Char(' ') + time;
 }
 
 QString holderText(const LockHolder& holder) {
-    return QCoreApplication::translate("words", "Computer %1, process %2, since %3.")
+    return Words::tr("Computer %1, process %2, since %3.")
         .arg(holder.host)
         .arg(holder.process)
         .arg(momentText(holder.since));
 }
 
 QString editsText(int edits) {
-    return edits == 1 ? QCoreApplication::translate("words", "1 edit")
-                      : QCoreApplication::translate("words", "%1 edits").arg(edits);
+    return Words::tr("%n edit(s)", nullptr, edits);
 }
 
 }  // namespace kumite::studio

@@ -10,8 +10,11 @@ namespace kumite::studio {
 
 struct LockHolder;
 
-/// How numbers and names read everywhere in the window; independent of the locale.
+/// How numbers and names read everywhere in the window, in its language. Moments and frames have
+/// the same form in all of them.
 
+/// 0.5 with two decimals → "0.50", "0,50".
+QString numberText(double number, int decimals);
 /// 64.25 s → "1:04.250"; minutes, seconds, milliseconds.
 QString timeText(double seconds);
 /// With as many decimals as `step` seconds between two texts need: "1:04", "1:04.2".

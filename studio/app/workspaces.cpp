@@ -22,6 +22,12 @@ namespace {
 constexpr int kNamesUpTo = 125;
 constexpr int kNameUpTo = 150;
 
+/// Large names leave no room for the menus: then the chosen tab alone, or none, has its name.
+Qt::ToolButtonStyle styleOf(bool chosen) {
+    const bool named = textSize() <= (chosen ? kNameUpTo : kNamesUpTo);
+    return named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
+}
+
 }  // namespace
 
 Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QStackedWidget* centres,
@@ -82,20 +88,36 @@ WorkspaceBar::WorkspaceBar(Workspaces& workspaces, QWidget* parent)
     row_->setContentsMargins(0, 0, 0, 0);
     row_->setSpacing(2);
     setAccessibleName(tr("Workspaces"));
-    connect(&workspaces_, &Workspaces::changed, this, &WorkspaceBar::fill);
+    connect(&workspaces_, &Workspaces::changed, this, &WorkspaceBar::refresh);
     fill();
+}
+
+void WorkspaceBar::refresh() {
+    // Tabs that are there stay: one of them may have the focus, or be in the middle of a click.
+    const auto tabs = findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
+    if (static_cast<std::size_t>(tabs.size()) != workspaces_.all().size()) return fill();
+    const QColor colour = coloursFor(palette()).text;
+    for (std::size_t i = 0; i < workspaces_.all().size(); ++i) {
+        const Workspace& workspace = workspaces_.all()[i];
+        QToolButton* tab = tabs[static_cast<qsizetype>(i)];
+        const bool chosen = workspace.id == workspaces_.current();
+        tab->setIcon(lineIcon(workspace.icon, colour));
+        tab->setToolButtonStyle(styleOf(chosen));
+        tab->setChecked(chosen);
+    }
 }
 
 void WorkspaceBar::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) fill();
+    if (event->type() == QEvent::PaletteChange) refresh();
+    if (event->type() == QEvent::FontChange) fill();
 }
 
 void WorkspaceBar::fill() {
     while (QLayoutItem* item = row_->takeAt(0)) {
-        // One of the buttons may be on its way back from a click.
         item->widget()->hide();
-        item->widget()->deleteLater();
+        item->widget()->setParent(nullptr);
+        item->widget()->deleteLater();  // the style may be going through all widgets
         delete item;
     }
     const Colours& c = coloursFor(palette());
@@ -117,17 +139,17 @@ void WorkspaceBar::fill() {
         button->setIcon(lineIcon(workspace.icon, c.text));
         button->setIconSize(QSize(16, 16) * textSize() / 100);
         const bool chosen = workspace.id == workspaces_.current();
-        // Large names leave no room for the menus: then the chosen one alone, or none, has its
-        // name.
-        const bool named = textSize() <= (chosen ? kNameUpTo : kNamesUpTo);
-        button->setToolButtonStyle(named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly);
+        button->setToolButtonStyle(styleOf(chosen));
         button->setCheckable(true);
         button->setChecked(chosen);
+        button->setProperty("role", "workspace");
         button->setFocusPolicy(Qt::TabFocus);
         button->setAccessibleName(tr("%1 workspace").arg(workspace.name));
         button->setToolTip(workspace.tip);
-        connect(button, &QToolButton::clicked, this,
-                [this, id = workspace.id] { workspaces_.show(id); });
+        connect(button, &QToolButton::clicked, this, [this, id = workspace.id] {
+            workspaces_.show(id);
+            refresh();  // a click on the one that is shown would switch its tab off
+        });
         row_->addWidget(button);
     }
 }

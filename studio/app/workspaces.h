@@ -69,6 +69,7 @@ protected:
 
 private:
     void fill();
+    void refresh();
 
     Workspaces& workspaces_;
     QHBoxLayout* row_;

@@ -17,7 +17,9 @@
 namespace kumite::studio {
 
 namespace {
-constexpr double kBoundaryReach = 5;  // pixels
+constexpr double kBoundaryReach = 5;     // pixels
+constexpr double kBoundaryShare = 0.25;  // of a block, at either end
+constexpr double kNoteCorner = 10;
 constexpr double kDragStart = 4;
 }  // namespace
 
@@ -41,8 +43,12 @@ std::optional<BoundaryRef> TimelineView::boundaryAt(const QPointF& position) con
     const TimeMapping map = mapping();
     const double framesPerPixel = fighter->input.rate / map.pixelsPerSecond();
     const double frame = (map.timeAt(position.x()) - fighter->input.offset) * fighter->input.rate;
-    const BoundaryMark* mark =
-        nearestMark(session_.marks(player), frame, kBoundaryReach * framesPerPixel);
+    double reach = kBoundaryReach;
+    // However narrow, most of a block is the action's.
+    if (const auto action = blockAt(position)) {
+        reach = std::min(reach, kBoundaryShare * blockOf(*action).width());
+    }
+    const BoundaryMark* mark = nearestMark(session_.marks(player), frame, reach * framesPerPixel);
     return mark ? std::optional(BoundaryRef{player, mark->frame}) : std::nullopt;
 }
 
@@ -100,7 +106,7 @@ void TimelineView::mousePressEvent(QMouseEvent* event) {
         gesture_ = Gesture::Loop;
         return;
     }
-    if (pressLanes(*event)) return;
+    if (openNote(position) || pressLanes(*event)) return;
     gesture_ = choose(position) ? Gesture::Press : Gesture::Scrub;
 }
 
@@ -254,6 +260,20 @@ bool TimelineView::pressLanes(const QMouseEvent& event) {
     gesture_ = Gesture::Lanes;
     laneDragged_ = hit->action;
     if (lanes_->pressed(hit->action, hit->lane, event.modifiers())) scrubTo(event.position().x());
+    return true;
+}
+
+/// A press on the folded corner of an action with a note opens the note.
+bool TimelineView::openNote(const QPointF& position) {
+    const auto action = blockAt(position);
+    if (!action || session_.noteOf(*action).isEmpty()) return false;
+    const QRectF block = blockOf(*action);
+    if (!QRectF(block.right() - kNoteCorner, block.top(), kNoteCorner, kNoteCorner)
+             .contains(position))
+        return false;
+    session_.setActivePlayer(action->player);
+    session_.selectAction(action);
+    editNote();
     return true;
 }
 

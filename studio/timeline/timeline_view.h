@@ -103,6 +103,7 @@ private:
         int lane = -1;
     };
     std::optional<LaneHit> laneHitAt(const QPointF& position) const;
+    bool openNote(const QPointF& position);
     bool pressLanes(const QMouseEvent& event);
     void dragLanes(const QPointF& position);
     bool event(QEvent* event) override;

@@ -137,7 +137,7 @@ void TrackPainter::paintForceAxis(const Track& track) {
     }
     const auto height = [&](double metres, double y) {
         painter_.drawText(QRectF(plot.right() + 5, y, withTextSize(40), lineHeight), Qt::AlignLeft,
-                          tr("%1 m").arg(metres, 0, 'f', 1));
+                          tr("%1 m").arg(numberText(metres, 1)));
     };
     height(track.heightAxis().high, plot.top() - 3);
     height(track.heightAxis().low, plot.bottom() - lineHeight + 3);

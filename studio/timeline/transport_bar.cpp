@@ -121,8 +121,7 @@ void TransportBar::resizeEvent(QResizeEvent* event) {
 void TransportBar::showState() {
     const double speed = session_.transport().speed();
     const int decimals = std::abs(speed * 10 - std::round(speed * 10)) < 0.01 ? 1 : 2;
-    const QString size =
-        QString::number(std::abs(speed), 'f', speed == std::round(speed) ? 0 : decimals);
+    const QString size = numberText(std::abs(speed), speed == std::round(speed) ? 0 : decimals);
     speed_->setText((speed < 0 ? QStringLiteral("−") : QString()) + size + QStringLiteral("×"));
 }
 

@@ -89,6 +89,9 @@ QRegion StageLabels::extent() const {
         add(around(centre.at, kCentreRadius));
     for (const auto& edge : marks_.edges)
         add(QRectF(edge.from, edge.to).normalized());
+    if (!marks_.dots.isEmpty()) add(marks_.dots.boundingRect());
+    for (const auto& ring : marks_.rings)
+        add(ring.points.boundingRect());
     for (const auto& handle : marks_.handles)
         add(around(handle.at, kPointRadius + 3));
     for (const auto& point : marks_.points) {
@@ -126,6 +129,16 @@ void StageLabels::paintEvent(QPaintEvent*) {
         painter.setPen(
             QPen(withAlpha(edge.strong ? c.accent : c.secondText, 0.8), edge.strong ? 1.5 : 1.0));
         painter.drawLine(edge.from, edge.to);
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(withAlpha(c.accent, 0.55));
+    for (const QPointF& dot : marks_.dots)
+        painter.drawEllipse(dot, 1.3, 1.3);
+    painter.setBrush(Qt::NoBrush);
+    for (const auto& ring : marks_.rings) {
+        const QColor axes[] = {QColor("#d9534f"), QColor("#4a9d4f"), QColor("#4478d6")};
+        painter.setPen(QPen(axes[ring.axis % 3], ring.turned ? 3.5 : 2));
+        painter.drawPolyline(ring.points);
     }
     for (const auto& handle : marks_.handles) {
         // A square stays where it is.

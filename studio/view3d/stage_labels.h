@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QPointF>
+#include <QPolygonF>
 #include <QString>
 #include <QWidget>
 
@@ -40,9 +41,17 @@ struct StageMarks {
         bool strong = false;
         bool operator==(const Edge&) const = default;
     };
+    struct Ring {
+        QPolygonF points;
+        int axis = 0;
+        bool turned = false;
+        bool operator==(const Ring&) const = default;
+    };
     std::vector<CentreOfMass> centres;
     std::vector<Edge> edges;
     std::vector<Handle> handles;
+    QPolygonF dots;
+    std::vector<Ring> rings;
     std::vector<Point> points;
     std::optional<Distance> distance;
 

@@ -32,6 +32,7 @@ struct StageView::Scene {
     std::array<FigurePose, 2> poses;  ///< as drawn; empty where there is no fighter
     Measuring measuring;
     StageHandles handles;
+    StageDrag drag;
 };
 
 }  // namespace kumite::studio

@@ -81,10 +81,13 @@ void StageView::beginLive(const QObject* owner, std::array<std::vector<Bone>, 2>
     setMeasuring(false);
     live_ = owner;
     scene_->handles = {};
+    scene_->drag = {};
     followed_.reset();
     scene_->bones = std::move(bones);
     scene_->stage.clearGhosts();
     Q_EMIT switchesChanged();
+    around_.clear();
+    showCaption();
 }
 
 void StageView::showLive(std::array<FigurePose, 2> poses) {
@@ -102,10 +105,21 @@ void StageView::endLive(const QObject* owner) {
     if (live_ != owner) return;
     live_ = nullptr;
     scene_->handles = {};
+    scene_->drag = {};
     followed_.reset();
     bodiesChanged();
     frameAll();
     Q_EMIT switchesChanged();
+    showCaption();
+}
+
+void StageView::setLiveGhosts(const std::vector<StageGhost>& ghosts) {
+    if (!live_) return;
+    scene_->stage.clearGhosts();
+    for (const StageGhost& ghost : ghosts)
+        scene_->stage.addGhost(ghost.player, scene_->bones[static_cast<std::size_t>(ghost.player)],
+                               ghost.joints);
+    scene_->canvas->markDirty();
 }
 
 void StageView::setPointingAtFloor(bool on) {
@@ -138,6 +152,10 @@ void StageView::showPose() {
                    ? poseAt(*present[index], session_.shownFrame(player), overlays_)
                    : FigurePose{};
         scene_->stage.figure(player).show(scene_->bones[index], pose, overlays_);
+    }
+    if (const QString around = aroundAction(); around != around_) {
+        around_ = around;
+        showCaption();
     }
     if (following_) follow();
     showLabels();
@@ -324,10 +342,22 @@ void StageView::setTools(QWidget* tools) {
     placeOverlays();
 }
 
+/// While the chosen action plays in a loop with some time around it: whether it has begun.
+QString StageView::aroundAction() const {
+    const Transport& transport = session_.transport();
+    const auto& action = session_.selectedAction();
+    if (!action || !transport.isLooping() || live_) return {};
+    const TimeSpan span = session_.spanOf(*action);
+    const double now = transport.shownTime();
+    if (now < span.begin && transport.loopIn() <= now) return tr("before the action");
+    return now >= span.end && now <= transport.loopOut() ? tr("after the action") : QString();
+}
+
 void StageView::showCaption() {
     QString text = tr("grid 1 m");
     text += tr("   ·   left limbs lighter");
-    if (overlays_.force) text += tr("   ·   arrow: contact force, 0.5 m per BW");
+    if (overlays_.force && !isLive()) text += tr("   ·   arrow: contact force, 0.5 m per BW");
+    if (!around_.isEmpty()) text = around_ + QStringLiteral("   ·   ") + text;
     if (isMeasuring()) text = measuringHint_;
     caption_ = text;
     placeOverlays();

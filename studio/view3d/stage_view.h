@@ -7,6 +7,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -21,6 +22,7 @@
 namespace kumite::studio {
 
 class Session;
+struct StageMarks;
 struct Viewport;
 
 /// The 3D view: both fighters of the take at the moment that the session shows, on the floor.
@@ -92,10 +94,14 @@ public:
     /// A mark on the floor, x and z in metres; none: nothing. `faint`: not yet chosen.
     void setFloorMark(const std::optional<Eigen::Vector2d>& place, bool faint);
 
-    /// Points of the live figures that can be dragged; none: an empty list.
-    void setHandles(std::vector<StageHandle> handles, std::vector<StageBox> boxes = {});
+    /// What of the live figures can be dragged and turned; nothing: an empty value.
+    void setHandles(StageHandles handles);
+    /// The live figures at other moments, beside themselves.
+    void setLiveGhosts(const std::vector<StageGhost>& ghosts);
     /// Where a handle is drawn, in the view's pixels.
     std::optional<QPointF> handlePosition(int handle) const;
+    /// Where a point of a ring is drawn.
+    std::optional<QPointF> ringPosition(int ring, double angle) const;
 
     /// What the view shows, in device pixels, without its buttons.
     QImage picture();
@@ -116,10 +122,17 @@ Q_SIGNALS:
     void handlePressed(int handle, Qt::KeyboardModifiers modifiers);
     void handleDragged(int handle, const Eigen::Vector3d& place);
     void handleReleased(int handle);
+    /// How far a ring was turned since it was pressed, radians; then its release.
+    void ringTurned(int ring, double angle);
+    void ringReleased(int ring);
+    /// Esc, while a handle or a ring was dragged.
+    void dragCancelled();
     /// On a fighter, which is the active one now, or on nothing, at a point of the screen.
     void menuWanted(std::optional<int> player, const QPoint& at);
 
 protected:
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -136,6 +149,8 @@ private:
     void showGhosts();
     void showColours();
     void showLabels();
+    QString aroundAction() const;
+    void markHandles(StageMarks& marks) const;
     void showCaption();
     void tellMeasured();
     void pointToOtherFighter();
@@ -147,6 +162,11 @@ private:
     std::optional<Eigen::Vector2d> floorAt(const QPointF& position) const;
     std::optional<Eigen::Vector3d> middle() const;
     std::optional<int> handleAt(const QPointF& position) const;
+    std::optional<QPointF> placeInView(const Eigen::Vector3d& point) const;
+    /// The ring at a point of the picture and where on it.
+    std::optional<std::pair<int, double>> ringAt(const QPointF& position) const;
+    bool beginDrag(const QMouseEvent& event);
+    void dragTo(const QPointF& position);
     /// A point of the picture in the plane through `through` that faces the camera.
     Eigen::Vector3d facingPoint(const QPointF& position, const Eigen::Vector3d& through) const;
     void hoverAt(const QPointF& position);
@@ -168,6 +188,7 @@ private:
     QWidget* tools_ = nullptr;
     CameraHand hand_;
     QString measuringHint_;
+    QString around_;   ///< "before the action"; empty: within it, or none is looped
     QString caption_;  ///< whole, where the view is too narrow for it
     QString told_;     ///< of what is measured
 };

@@ -5,8 +5,10 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 #include "studio/app/session.h"
+#include "studio/app/words.h"
 #include "studio/view3d/picking.h"
 #include "studio/view3d/stage_scene.h"
 
@@ -26,33 +28,11 @@ void StageView::showLabels() {
     const auto to = measuring.to ? jointPosition(*measuring.to) : std::nullopt;
     if (from && to) {
         marks.distance = {*from, *to,
-                          tr("%1 m").arg(QString::number(measuredDistance().value_or(0), 'f', 2))};
+                          tr("%1 m").arg(numberText(measuredDistance().value_or(0), 2))};
     } else if (from) {
         marks.points.push_back({*from, {}});
     }
-    for (const StageBox& box : scene_->handles.boxes) {
-        // Its edges lead from each corner to those that differ in one direction.
-        for (int corner = 0; corner < 8; ++corner) {
-            for (int axis = 0; axis < 3; ++axis) {
-                if ((corner >> axis & 1) != 0) continue;
-                const auto project = [&](int which) {
-                    Eigen::Vector3d at = box.low;
-                    for (int k = 0; k < 3; ++k) {
-                        if ((which >> k & 1) != 0) at[k] = box.high[k];
-                    }
-                    return scene_->camera.project(at, viewport());
-                };
-                const Eigen::Vector3d from = project(corner), to = project(corner | 1 << axis);
-                if (from.z() > 0 && to.z() > 0)
-                    marks.edges.push_back({{from.x(), from.y()}, {to.x(), to.y()}, box.strong});
-            }
-        }
-    }
-    for (std::size_t i = 0; i < scene_->handles.all.size(); ++i) {
-        const auto at = handlePosition(static_cast<int>(i));
-        const StageHandle& handle = scene_->handles.all[i];
-        if (at) marks.handles.push_back({*at, handle.chosen, handle.pinned});
-    }
+    markHandles(marks);
     if (measuring.hovered) {
         const auto at = jointPosition(*measuring.hovered);
         if (at) marks.points.push_back({*at, jointText(*measuring.hovered, true)});
@@ -85,77 +65,28 @@ void StageView::hoverAt(const QPointF& position) {
     showLabels();
 }
 
-void StageView::setHandles(std::vector<StageHandle> handles, std::vector<StageBox> boxes) {
-    scene_->handles.all = std::move(handles);
-    scene_->handles.boxes = std::move(boxes);
-    if (scene_->handles.dragged &&
-        *scene_->handles.dragged >= static_cast<int>(scene_->handles.all.size()))
-        scene_->handles.dragged.reset();
-    showLabels();
-}
-
-std::optional<QPointF> StageView::handlePosition(int handle) const {
-    const auto& all = scene_->handles.all;
-    if (handle < 0 || handle >= static_cast<int>(all.size())) return std::nullopt;
-    const Eigen::Vector3d at =
-        scene_->camera.project(all[static_cast<std::size_t>(handle)].place, viewport());
-    return at.z() > 0 ? std::optional(QPointF(at.x(), at.y())) : std::nullopt;
-}
-
-std::optional<int> StageView::handleAt(const QPointF& position) const {
-    constexpr double kReach = 12;  // pixels
-    std::optional<int> found;
-    double least = kReach;
-    for (int i = 0; i < static_cast<int>(scene_->handles.all.size()); ++i) {
-        const auto at = handlePosition(i);
-        if (!at) continue;
-        const double away = std::hypot(at->x() - position.x(), at->y() - position.y());
-        if (away >= least) continue;
-        least = away;
-        found = i;
-    }
-    return found;
-}
-
-Eigen::Vector3d StageView::facingPoint(const QPointF& position,
-                                       const Eigen::Vector3d& through) const {
-    const Ray ray = scene_->camera.rayThrough(position.x(), position.y(), viewport());
-    const Ray middle = scene_->camera.rayThrough(width() / 2.0, height() / 2.0, viewport());
-    const double slope = ray.direction.dot(middle.direction);
-    if (slope < 1e-3) return through;
-    return ray.origin + (through - ray.origin).dot(middle.direction) / slope * ray.direction;
-}
-
 void StageView::mousePressEvent(QMouseEvent* event) {
-    const auto handle =
-        event->button() == Qt::LeftButton ? handleAt(event->position()) : std::nullopt;
-    if (handle) {
-        scene_->handles.dragged = handle;
-        Q_EMIT handlePressed(*handle, event->modifiers());
-        return;
-    }
-    hand_.press(*event);
+    if (scene_->drag.handle || scene_->drag.ring) return;  // another button changes nothing
+    if (!beginDrag(*event)) hand_.press(*event);
 }
 
 void StageView::mouseMoveEvent(QMouseEvent* event) {
     if (event->buttons() == Qt::NoButton) {
         if (isMeasuring()) hoverAt(event->position());
         if (pointsAtFloor_) Q_EMIT floorHovered(floorAt(event->position()));
-    } else if (scene_->handles.dragged) {
-        const int handle = *scene_->handles.dragged;
-        Q_EMIT handleDragged(
-            handle, facingPoint(event->position(),
-                                scene_->handles.all[static_cast<std::size_t>(handle)].place));
+    } else if (scene_->drag.handle || scene_->drag.ring) {
+        if (scene_->drag.isOn()) dragTo(event->position());
     } else if (hand_.drag(*event, scene_->camera, viewport())) {
         applyCamera();
     }
 }
 
 void StageView::mouseReleaseEvent(QMouseEvent* event) {
-    if (scene_->handles.dragged) {
-        const int handle = *scene_->handles.dragged;
-        scene_->handles.dragged.reset();
-        Q_EMIT handleReleased(handle);
+    if (scene_->drag.handle || scene_->drag.ring) {
+        if (event->button() != Qt::LeftButton) return;
+        const StageDrag drag = std::exchange(scene_->drag, {});
+        if (drag.isOn() && drag.handle) Q_EMIT handleReleased(*drag.handle);
+        if (drag.isOn() && drag.ring) Q_EMIT ringReleased(*drag.ring);
         return;
     }
     if (hand_.isDragging()) return;

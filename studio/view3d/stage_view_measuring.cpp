@@ -34,7 +34,7 @@ std::optional<Role> roleOf(const FighterAnalysis& fighter, int joint) {
 }
 
 QString metresText(double metres) {
-    return StageView::tr("%1 m").arg(metres, 0, 'f', 2);
+    return StageView::tr("%1 m").arg(numberText(metres, 2));
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ QString StageView::jointText(const JointRef& joint, bool withSpeed) const {
     if (!withSpeed) return text;
     const float speed = jointSpeed(fighter->motion->positions, joint.joint,
                                    session_.shownFrame(joint.player), fighter->input.rate);
-    return tr("%1   %2 m/s").arg(text, QString::number(speed, 'f', 1));
+    return tr("%1   %2 m/s").arg(text, numberText(speed, 1));
 }
 
 QString StageView::measuredText() const {

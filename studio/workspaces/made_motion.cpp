@@ -1,6 +1,7 @@
 #include "studio/workspaces/made_motion.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
@@ -9,6 +10,8 @@
 #include "core/base/files.h"
 #include "core/formats/gltf.h"
 #include "core/project/kept_clip.h"
+#include "core/project/made_takes.h"
+#include "studio/app/folders.h"
 #include "studio/app/questions.h"
 #include "studio/app/session.h"
 #include "studio/jobs/job_runner.h"
@@ -17,16 +20,13 @@ namespace kumite::studio {
 
 namespace {
 
-QString text(const char* source) {
-    return QApplication::translate("kumite::studio::MadeMotion", source);
-}
+/// Translations of this file.
+struct MadeMotion {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::MadeMotion)
+};
 
 QString suggestion(const Session& session, const QString& name) {
-    const Document& document = session.document();
-    const QString folder = document.path().isEmpty()
-                               ? QSettings().value(QStringLiteral("exportFolder")).toString()
-                               : QFileInfo(document.path()).path();
-    return folder + QLatin1Char('/') + name + QStringLiteral(".bvh");
+    return startFolder(session.document()) + QLatin1Char('/') + name + QStringLiteral(".bvh");
 }
 
 void addClipsOf(Session& session, const QStringList& paths) {
@@ -42,8 +42,9 @@ void addClipsOf(Session& session, const QStringList& paths) {
 }  // namespace
 
 void keepMotion(Session& session, JobRunner& writing, const MadeMotion& motion, QWidget* window) {
-    const QString path = fileToSave(window, text("Keep the motion as a take"),
-                                    suggestion(session, motion.name), text("Recordings (*.bvh)"));
+    const QString path =
+        fileToSave(window, MadeMotion::tr("Keep the motion as a take"),
+                   suggestion(session, motion.name), MadeMotion::tr("Recordings (*.bvh)"));
     if (!path.isEmpty()) keepMotionAs(session, writing, motion, path);
 }
 
@@ -51,7 +52,7 @@ void keepMotionAs(Session& session, JobRunner& writing, const MadeMotion& motion
                   const QString& path) {
     const QFileInfo info(path);
     writing.start(
-        text("Keeping the motion"),
+        MadeMotion::tr("Keeping the motion"),
         [project = session.document().project(), motion,
          name = info.completeBaseName().toStdString(),
          folder = info.path().toStdString()](const Progress& progress) {
@@ -62,30 +63,30 @@ void keepMotionAs(Session& session, JobRunner& writing, const MadeMotion& motion
             // The project may have changed since: the take is added to what it is now.
             const bool done =
                 session.document().apply(Document::ProjectEdit([&](const Project& project) {
-                    MaybeEdit edit = addTake(project, take);
+                    MaybeEdit edit = addMadeTake(project, take);
                     if (edit) edit->name = kept.edit.name;
                     return edit;
                 }));
             if (done) {
                 Q_EMIT session.hinted(
-                    text("Kept as take %1.").arg(QString::fromStdString(take.name)));
+                    MadeMotion::tr("Kept as take %1.").arg(QString::fromStdString(take.name)));
             }
         });
 }
 
 void exportMotion(Session& session, JobRunner& writing, const MadeMotion& motion, QWidget* window) {
     const QString path =
-        fileToSave(window, text("Export the motion"), suggestion(session, motion.name),
-                   text("Motion (*.bvh);;glTF: skeleton and animation (*.glb)"));
+        fileToSave(window, MadeMotion::tr("Export the motion"), suggestion(session, motion.name),
+                   MadeMotion::tr("Motion (*.bvh);;glTF: skeleton and animation (*.glb)"));
     if (path.isEmpty()) return;
-    QSettings().setValue(QStringLiteral("exportFolder"), QFileInfo(path).absolutePath());
+    rememberFolder(path);
     exportMotionTo(session, writing, motion, path);
 }
 
 void exportMotionTo(Session& session, JobRunner& writing, const MadeMotion& motion,
                     const QString& path) {
     writing.start(
-        text("Writing the motion"),
+        MadeMotion::tr("Writing the motion"),
         [motion, path](const Progress& progress) {
             const QString suffix = QFileInfo(path).suffix().toLower();
             if (suffix == QLatin1String("bvh")) {
@@ -105,20 +106,20 @@ void exportMotionTo(Session& session, JobRunner& writing, const MadeMotion& moti
             return path;
         },
         [&session](const QString& written) {
-            Q_EMIT session.hinted(text("Written: %1").arg(written));
+            Q_EMIT session.hinted(MadeMotion::tr("Written: %1").arg(written));
         });
 }
 
 void askForClips(Session& session, QWidget* window) {
-    addClipsOf(session, filesToOpen(window, text("Add clips"),
+    addClipsOf(session, filesToOpen(window, MadeMotion::tr("Add clips"),
                                     QSettings().value(QStringLiteral("clipFolder")).toString(),
-                                    text("Motion and projects (*.bvh *.amc *.kumite)")));
+                                    MadeMotion::tr("Motion and projects (*.bvh *.amc *.kumite)")));
 }
 
 void askForClipFolder(Session& session, QWidget* window) {
     if (!isAttended()) return;
     const QString folder = QFileDialog::getExistingDirectory(
-        window, text("Add all clips of a folder"),
+        window, MadeMotion::tr("Add all clips of a folder"),
         QSettings().value(QStringLiteral("clipFolder")).toString());
     if (!folder.isEmpty()) addClipsOf(session, {folder});
 }

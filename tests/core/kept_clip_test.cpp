@@ -7,10 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/editing/assembly.h"
 #include "core/formats/bvh.h"
 #include "core/motion/blend.h"
 #include "core/project/analysis.h"
 #include "core/project/library.h"
+#include "core/project/made_takes.h"
 #include "core/project/placed_clip.h"
 #include "tests/support/builders.h"
 #include "tests/support/fixtures.h"
@@ -46,7 +48,17 @@ TEST(KeptClip, IsATakeOfTheSamePoses) {
     EXPECT_EQ(take.name, "mine");
     ASSERT_EQ(take.fighters.size(), 1u);
 
+    EXPECT_TRUE(isMade(madeRecordings(kept.edit.project), take));
+    EXPECT_FALSE(isMade(madeRecordings(kept.edit.project), project.takes[0]));
     const Analysis analysis = analyse(kept.edit.project);
+    const auto library =
+        std::make_shared<const MotionLibrary>(libraryOf(kept.edit.project, analysis).library);
+    const KeyLibrary keys = keyLibrary(library);
+    for (std::size_t m = 0; m < library->motions.size(); ++m) {
+        const LibraryMotion& motion = library->motions[m];
+        EXPECT_EQ(motion.made, motion.take == static_cast<int>(project.takes.size()));
+        EXPECT_EQ(keys.features.clips[m].frames > 0, !motion.made) << "nothing is found in it";
+    }
     const int index = static_cast<int>(project.takes.size());
     const Clip shown = placedClip(analysis.at({index, 0}));
     ASSERT_EQ(shown.frames.size(), made.clip.frames.size());

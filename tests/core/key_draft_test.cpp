@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/project/hit_draft.h"
 #include "tests/support/builders.h"
 #include "tests/support/made_library.h"
 
@@ -51,6 +52,52 @@ TEST(KeyDraft, ComesBackFromTheProject) {
     KeyDraft empty = draft;
     empty.track.keys.clear();
     EXPECT_TRUE(setKeyDraft(edit->project, empty, "Clear")->project.drafts.empty());
+}
+
+TEST(KeyDraft, APartHasAPlaceOfItsOwn) {
+    const auto library = test::madeLibrary();
+    KeyDraft draft = someDraft(*library);
+    const auto arm = static_cast<std::size_t>(BodyPart::RightArm);
+    const auto leg = static_cast<std::size_t>(BodyPart::LeftLeg);
+    draft.places[arm] = "punch@5:40";
+    draft.places[leg] = "punch@5:40";
+    const KeyDraft again = parseKeyDraft(keyDraftText(draft), "draft", library->rig);
+    EXPECT_EQ(again.places, draft.places);
+    const AssemblyChoices choices = choicesOf(*library, again);
+    ASSERT_TRUE(choices.parts[arm].within);
+    EXPECT_EQ(choices.parts[arm].within->frames.begin, 5);
+    EXPECT_FALSE(choices.parts[leg].within) << "only a part of its own is looked for elsewhere";
+}
+
+TEST(HitDraft, ComesBackFromTheProject) {
+    const Project project = test::makeBout();
+    EXPECT_TRUE(hitDraftOf(project).isEmpty());
+    HitDraft draft;
+    draft.strike = "right_punch";
+    draft.target = Eigen::Vector3d(0.1, 1.4, 0.7);
+    draft.aim = Role::Head;
+    draft.distance = 0.9;
+    const MaybeEdit edit = setHitDraft(project, draft, "Aim");
+    ASSERT_TRUE(edit);
+    EXPECT_EQ(hitDraftOf(edit->project), draft);
+    EXPECT_TRUE(setHitDraft(edit->project, {}, "None")->project.drafts.empty());
+    EXPECT_THROW(parseHitDraft(R"({"aim": "tail"})", "draft"), Error);
+    EXPECT_THROW(parseHitDraft(R"({"target": [1, 2]})", "draft"), Error);
+}
+
+TEST(KeyDraft, FollowsATakeThatIsRenamed) {
+    const auto library = test::madeLibrary();
+    Project project = test::makeBout();
+    KeyDraft draft = someDraft(*library);
+    const std::string name = project.takes[0].name;
+    draft.body = name + ":1@10:50";
+    draft.places[0] = name + ":of old@1:2";
+    project = setKeyDraft(project, draft, "Add key")->project;
+    const MaybeEdit edit = renameTake(project, 0, "another");
+    ASSERT_TRUE(edit);
+    const KeyDraft again = keyDraftOf(edit->project, library->rig, 60);
+    EXPECT_EQ(again.body, "another:1@10:50");
+    EXPECT_EQ(again.places[0], draft.places[0]) << "that is no player";
 }
 
 TEST(KeyDraft, ChoicesNamePlacesOfTheLibrary) {

@@ -71,6 +71,11 @@ TEST(KeyTrack, KeepsItsKeysInOrderOnePerFrame) {
 
 TEST(KeyTrack, RetimesWhatFollows) {
     const KeyTrack track = threeKeys();
+    EXPECT_EQ(framesOf(withShiftedKeys(track, 12, 20)), (std::vector<int>{0, 20, 38}));
+    EXPECT_EQ(framesOf(withShiftedKeys(track, 12, 1)), (std::vector<int>{0, 1, 19}));
+    EXPECT_THROW(withShiftedKeys(track, 12, 0), Error);
+    EXPECT_THROW(withShiftedKeys(track, 0, -1), Error);
+    EXPECT_THROW(withShiftedKeys(track, 5, 9), Error);
     EXPECT_EQ(framesOf(retimed(track, 0, 2)), (std::vector<int>{0, 24, 60}));
     EXPECT_EQ(framesOf(retimed(track, 12, 0.5)), (std::vector<int>{0, 12, 21}));
     EXPECT_EQ(framesOf(retimed(track, 0, 0.001)), (std::vector<int>{0, 1, 2})) << "apart";

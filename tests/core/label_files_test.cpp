@@ -206,6 +206,10 @@ TEST(LabelTables, KnowWhatAHandSaidBesideTheRules) {
                         actionLabels(made.project.takes[0].fighters[0], made.analysis.at(kRed), 7)};
     rules.labels[1].aspects[5] = {1, LabelSource::Rule, 0.5f};
     Project mixed = made.bare();
+    EXPECT_EQ(
+        spokenLabel(kickboxing(), parseLabel(kickboxing(), "left_punch:fwdbwd+right_kick:up")),
+        "left punch forward and back, right kick up");
+    EXPECT_EQ(spokenLabel(kickboxing(), othersLabel(kickboxing())), "nothing");
     const Label punch = parseLabel(kickboxing(), "left_punch:fwd+react:?");
     mixed = setWholeLabel(mixed, made.analysis, kRed, {{1}}, punch)->project;
     mixed = acceptLabels(mixed, made.analysis, {{rules}})->project;

@@ -136,6 +136,25 @@ TEST(PoseHandles, JointsKeepTheirLimits) {
     }
 }
 
+TEST(PoseHandles, AJointsTurnInNumbers) {
+    const Rig& rig = *test::madeRig();
+    const int elbow = *rig.roles[Role::LeftElbow];
+    for (const Vector3d& degrees :
+         {Vector3d(10, -20, 30), Vector3d(-80, 170, 5), Vector3d(0, 0, 0)})
+        EXPECT_LT((jointAngles(turnOfAngles(degrees)) - degrees).norm(), 1e-6);
+    EXPECT_LT(
+        (jointAngles(turnOfAngles({10, 20, 200}), {0, 0, 190}) - Vector3d(10, 20, 200)).norm(),
+        1e-6)
+        << "the nearest way to say it";
+    const Quaterniond over(Eigen::AngleAxisd(3.1, Vector3d::UnitY()));
+    const auto limit = jointLimit(rig, elbow);
+    const auto bend = jointBend(rig, elbow, withinLimit(rig, elbow, over));
+    ASSERT_TRUE(bend && limit);
+    EXPECT_LE(bend->swing, limit->swing + 1e-9);
+    EXPECT_LE(bend->twist, limit->twist + 1e-9);
+    EXPECT_FALSE(jointBend(rig, *rig.roles[Role::Pelvis], over));
+}
+
 TEST(PoseHandles, AJointTurnedByHand) {
     const Rig& rig = *test::madeRig();
     const int elbow = *rig.roles[Role::LeftElbow];

@@ -100,7 +100,7 @@ TEST_F(BoutTest, OfAMadeBoutPlaysAfterThreeClicks) {
         return false;
     };
     EXPECT_TRUE(click("Bout"));
-    EXPECT_TRUE(click("Take over labels…"));
+    EXPECT_TRUE(click("Take over labels"));
     ASSERT_TRUE(QTest::qWaitFor([&] { return bout().tape() != nullptr; }, 10000))
         << bout().whyNothing().toStdString();
     for (auto* button : window_->findChildren<QToolButton*>()) {
@@ -108,6 +108,10 @@ TEST_F(BoutTest, OfAMadeBoutPlaysAfterThreeClicks) {
             QTest::mouseClick(button, Qt::LeftButton);
     }
     EXPECT_TRUE(bout().isPlaying());
+    // The button that was pressed is gone: keys are the views' again, not the next control's.
+    ASSERT_NE(QApplication::focusWidget(), nullptr);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+    EXPECT_FALSE(bout().isPlaying());
 }
 
 TEST_F(BoutTest, PlaysInTheStageAndLeavesItAgain) {

@@ -194,7 +194,7 @@ TEST_F(WindowTest, StatusLineSaysWhatHoldsNow) {
 
     // What was said is over with the next act.
     press(Qt::Key_Return);
-    EXPECT_TRUE(statusOf(*window_).startsWith("Nothing is selected"));
+    EXPECT_TRUE(statusOf(*window_).startsWith("No boundary is selected"));
     press(Qt::Key_Right);
     EXPECT_TRUE(statusOf(*window_).contains("Space play"));
 

@@ -1,9 +1,15 @@
 // The Keyframe workspace in the real window: keys made, drawn, moved, and made into a motion.
 
+#include <QCheckBox>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTabWidget>
 #include <QTest>
 
 #include <algorithm>
@@ -14,13 +20,17 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
+#include "studio/view3d/action_tiles.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/keyframe/hit_session.h"
+#include "studio/workspaces/keyframe/joint_box.h"
 #include "studio/workspaces/keyframe/key_panel.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/key_strip.h"
 #include "studio/workspaces/keyframe/motion_box.h"
+#include "studio/workspaces/keyframe/part_dialog.h"
 #include "studio/workspaces/keyframe/pose_box.h"
+#include "studio/workspaces/keyframe/pose_dialog.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -43,6 +53,7 @@ protected:
             settle();
         }
     }
+    QTabWidget& tabs() { return *window_->findChild<KeyPanel*>()->findChild<QTabWidget*>(); }
     KeySession& keys() { return window_->keys(); }
     KeyStrip& strip() { return *window_->findChild<KeyStrip*>(); }
     std::vector<int> frames() {
@@ -121,6 +132,139 @@ TEST_F(KeyframeTest, AHandleIsDraggedAndTheFeetStay) {
     EXPECT_NEAR(placeOf(Handle::RightHand).y(), 1.0, 0.02);
 }
 
+TEST_F(KeyframeTest, EscLeavesADragAndOnlyItsButtonEndsIt) {
+    openWorkspace();
+    makeKeys();
+    const auto position = session().document().history().position();
+    const Eigen::Vector3d before = placeOf(Handle::RightHand);
+    StageView& stage = window_->stage();
+    for (auto* label : stage.findChildren<QLabel*>())
+        EXPECT_FALSE(label->text().contains("contact force")) << "there is none";
+    const QPoint from = stage.handlePosition(static_cast<int>(Handle::RightHand))->toPoint();
+    QTest::mousePress(&stage, Qt::LeftButton, {}, from);
+    QTest::mouseMove(&stage, from + QPoint(0, -30));
+    EXPECT_GT(placeOf(Handle::RightHand).y(), before.y() + 0.03);
+    QTest::mouseClick(&stage, Qt::RightButton, {}, from + QPoint(0, -30));
+    EXPECT_EQ(session().document().history().position(), position) << "the left one is still held";
+    QTest::keyClick(&stage, Qt::Key_Escape);
+    EXPECT_LT((placeOf(Handle::RightHand) - before).norm(), 1e-9);
+    QTest::mouseMove(&stage, from + QPoint(0, -50));
+    QTest::mouseRelease(&stage, Qt::LeftButton, {}, from + QPoint(0, -50));
+    settle();
+    EXPECT_LT((placeOf(Handle::RightHand) - before).norm(), 1e-9);
+    EXPECT_EQ(session().document().history().position(), position);
+    // The same for a key.
+    const QPoint key = strip().placeOf(30).toPoint(), to = strip().placeOf(40).toPoint();
+    QTest::mousePress(&strip(), Qt::LeftButton, {}, key);
+    QTest::mouseMove(&strip(), (key + to) / 2);
+    QTest::mouseMove(&strip(), to);
+    QTest::mouseClick(&strip(), Qt::RightButton, {}, to);
+    EXPECT_EQ(frames(), (std::vector{0, 30, 60}));
+    QTest::keyClick(&strip(), Qt::Key_Escape);
+    QTest::mouseRelease(&strip(), Qt::LeftButton, {}, to);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 30, 60}));
+    EXPECT_EQ(session().document().history().position(), position);
+    // Nudges of one handle are one step, those of another a second one.
+    stage.setFocus();
+    const Eigen::Vector3d start = placeOf(Handle::RightHand);
+    for (int i = 0; i < 3; ++i)
+        press(Qt::Key_Up, Qt::ControlModifier);
+    settle();
+    EXPECT_NEAR(placeOf(Handle::RightHand).y(), start.y() + 0.06, 0.01);
+    EXPECT_EQ(session().document().history().position(), position + 1);
+    keys().setHandle(Handle::LeftHand);
+    press(Qt::Key_Up, Qt::ControlModifier);
+    EXPECT_EQ(session().document().history().position(), position + 2);
+    session().document().undo();
+    session().document().undo();
+    settle();
+    EXPECT_LT((placeOf(Handle::RightHand) - start).norm(), 1e-4);
+}
+
+TEST_F(KeyframeTest, AJointIsTurnedByRingsAndNumbers) {
+    openWorkspace();
+    makeKeys();
+    const Rig& rig = *keys().draft().track.rig;
+    const int elbow = *rig.roles[Role::RightElbow];
+    const auto turnOf = [&] { return keys().pose()->turns[static_cast<std::size_t>(elbow)]; };
+    EXPECT_FALSE(window_->stage().ringPosition(0, 0));
+    press(Qt::Key_J);
+    EXPECT_EQ(keys().joint(), 0) << "the first of them";
+    keys().setJoint(elbow);
+    const auto position = session().document().history().position();
+    const Eigen::Quaterniond before = turnOf();
+    // A ring that the hands' handles do not hide.
+    StageView& stage = window_->stage();
+    int ring = -1;
+    QPoint from, way;
+    for (int i = 0; i < 3 && ring < 0; ++i) {
+        for (double angle = 0; angle < 6.2 && ring < 0; angle += 0.1) {
+            const QPointF at = *stage.ringPosition(i, angle);
+            bool isFree = true;
+            for (int h = 0; h < kHandleCount; ++h)
+                isFree = isFree && QLineF(at, *stage.handlePosition(h)).length() > 20;
+            for (int other = 0; other < 3; ++other) {
+                for (double b = 0; b < 6.3 && other != i; b += 0.05)
+                    isFree = isFree && QLineF(at, *stage.ringPosition(other, b)).length() > 9;
+            }
+            if (!isFree) continue;
+            ring = i;
+            from = at.toPoint();
+            way = (*stage.ringPosition(i, angle + 0.3) - at).toPoint();
+        }
+    }
+    ASSERT_GE(ring, 0);
+    const auto pull = [&](bool leave) {
+        QTest::mousePress(&stage, Qt::LeftButton, {}, from);
+        QTest::mouseMove(&stage, from + way);
+        EXPECT_GT(turnOf().angularDistance(before), 0.1);
+        if (leave) QTest::keyClick(&stage, Qt::Key_Escape);
+        QTest::mouseRelease(&stage, Qt::LeftButton, {}, from + way);
+        settle();
+    };
+    pull(true);
+    EXPECT_LT(turnOf().angularDistance(before), 1e-9);
+    EXPECT_EQ(session().document().history().position(), position);
+    pull(false);
+    EXPECT_GT(turnOf().angularDistance(before), 0.1);
+    EXPECT_EQ(session().document().history().position(), position + 1);
+    session().document().undo();
+    settle();
+    EXPECT_LT(turnOf().angularDistance(before), 1e-4);
+    // By numbers, within the limits.
+    QDoubleSpinBox* field = nullptr;
+    for (auto* each : window_->findChild<JointBox*>()->findChildren<QDoubleSpinBox*>()) {
+        if (each->accessibleName().contains("about x")) field = each;
+    }
+    ASSERT_NE(field, nullptr);
+    const Eigen::Vector3d angles = jointAngles(turnOf());
+    field->setValue(angles.x() + 8);
+    settle();
+    EXPECT_NEAR(jointAngles(turnOf(), angles).x(), angles.x() + 8, 0.11);
+    EXPECT_NEAR(jointAngles(turnOf(), angles).y(), angles.y(), 0.01);
+    EXPECT_EQ(session().document().history().position(), position + 1);
+    keys().turnTo(Eigen::Quaterniond(Eigen::AngleAxisd(3.1, Eigen::Vector3d::UnitX())));
+    EXPECT_LE(jointBend(rig, elbow, turnOf())->swing, jointLimit(rig, elbow)->swing + 1e-6);
+}
+
+TEST_F(KeyframeTest, APoseIsCopiedFromAnyFrame) {
+    openWorkspace();
+    makeKeys();
+    const Eigen::Vector3d place = keys().pose()->root;
+    press(Qt::Key_T, Qt::ShiftModifier);
+    auto* dialog = window_->findChild<PoseDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QSlider*>()->setValue(47);
+    QTest::keyClick(dialog, Qt::Key_Return);
+    settle();
+    const Pose& wanted = keys().motions()->motions[0].clip.frames[47];
+    for (std::size_t j = 0; j < wanted.turns.size(); ++j)
+        EXPECT_LT(keys().pose()->turns[j].angularDistance(wanted.turns[j]), 1e-4);
+    EXPECT_NEAR(keys().pose()->root.x(), place.x(), 1e-6) << "where the key was";
+    EXPECT_EQ(frames().size(), 3U);
+}
+
 TEST_F(KeyframeTest, KeysAreMovedCopiedMirroredAndSaved) {
     openWorkspace();
     makeKeys();
@@ -174,6 +318,8 @@ TEST_F(KeyframeTest, KeysBecomeAMotionThatIsKept) {
     ASSERT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
     EXPECT_TRUE(keys().isCurrent());
     EXPECT_EQ(keys().motion()->assembly.clip.frameCount(), 61);
+    press(Qt::Key_2);
+    EXPECT_EQ(tabs().currentIndex(), 1);
     auto* list = window_->findChild<MotionBox*>()->findChild<QListWidget*>();
     ASSERT_GT(list->count(), 1);
     EXPECT_TRUE(list->item(0)->text().startsWith(QStringLiteral("●")));
@@ -199,8 +345,178 @@ TEST_F(KeyframeTest, KeysBecomeAMotionThatIsKept) {
     EXPECT_TRUE(QTest::qWaitFor([&] { return !keys().writing().isRunning(); }, 5000));
     settle();
     ASSERT_EQ(session().document().project().takes.size(), 2U);
+    ASSERT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
+    EXPECT_TRUE(keys().motions()->motions.back().made);
+    for (const PoseMatch& match : keys().motion()->found)
+        EXPECT_FALSE(keys().library()->motion(match.match.clip).made)
+            << "no source of its own keys";
+    // The body's place follows the take's name.
+    const QString place = QString::fromStdString(keys().library()->motion(0).name);
+    keys().change("Take the body from elsewhere",
+                  [&](KeyDraft& draft) { draft.body = place.toStdString() + "@0:100"; });
+    session().document().apply(Document::ProjectEdit(
+        [](const Project& project) { return renameTake(project, 0, "renamed"); }));
+    settle();
+    EXPECT_EQ(keys().draft().body, "renamed:1@0:100");
+    EXPECT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
     EXPECT_EQ(session().document().project().takes.back().fighters.front().frames.size(), 61);
     EXPECT_TRUE(QFileInfo::exists(file("made.bvh")));
+}
+
+TEST_F(KeyframeTest, KeysAreRetimed) {
+    openWorkspace();
+    makeKeys();
+    press(Qt::Key_PageUp);
+    ASSERT_EQ(keys().key(), 30);
+    auto* box = window_->findChild<PoseBox*>();
+    auto* frame = box->findChild<QSpinBox*>();
+    frame->setValue(25);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 25, 60}));
+    frame->setValue(60);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 25, 60})) << "a key stands there";
+    EXPECT_EQ(frame->value(), 25);
+    for (auto* check : box->findChildren<QCheckBox*>()) {
+        if (check->text() == "and later keys") check->setChecked(true);
+    }
+    frame->setValue(30);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 30, 65}));
+    window_->stage().setFocus();
+    press(Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 66}));
+    for (auto* field : box->findChildren<QDoubleSpinBox*>()) {
+        if (!field->accessibleName().startsWith("Time from")) continue;
+        field->setValue(2);
+        EXPECT_EQ(field->value(), 1) << "ready for the next time";
+    }
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 101}));
+    window_->stage().setFocus();
+    press(Qt::Key_BracketLeft);
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 94}));
+    session().document().undo();
+    session().document().undo();
+    settle();
+    EXPECT_EQ(frames(), (std::vector{0, 31, 66}));
+}
+
+TEST_F(KeyframeTest, NeighboursAndWhatIsNotAdjustedAreSeen) {
+    openWorkspace();
+    makeKeys();
+    press(Qt::Key_X);
+    press(Qt::Key_PageUp);
+    settle();
+    const QImage plain = window_->stage().picture();
+    press(Qt::Key_O);
+    EXPECT_EQ(keys().neighbours().size(), 2U);
+    const QImage ghosts = window_->stage().picture();
+    EXPECT_NE(ghosts, plain);
+    press(Qt::Key_O);
+    EXPECT_EQ(window_->stage().picture(), plain);
+    ASSERT_NE(keys().motion(), nullptr);
+    EXPECT_EQ(keys().motion()->direct.clip.frameCount(),
+              keys().motion()->assembly.clip.frameCount());
+    press(Qt::Key_V);
+    const QImage motion = window_->stage().picture();
+    press(Qt::Key_C);
+    EXPECT_TRUE(keys().directPose());
+    EXPECT_NE(window_->stage().picture(), motion);
+    press(Qt::Key_C);
+    EXPECT_EQ(window_->stage().picture(), motion);
+}
+
+TEST_F(KeyframeTest, APartComesFromAChosenPlace) {
+    openWorkspace();
+    makeKeys();
+    tabs().setCurrentIndex(1);
+    auto* box = window_->findChild<MotionBox*>();
+    auto* tiles = box->findChild<ActionTiles*>();
+    QComboBox* scope = nullptr;
+    for (auto* combo : box->findChildren<QComboBox*>()) {
+        if (combo->accessibleName() == "What is looked for") scope = combo;
+    }
+    ASSERT_NE(scope, nullptr);
+    const auto arm = static_cast<std::size_t>(BodyPart::RightArm);
+    scope->setCurrentIndex(scope->findData(static_cast<int>(arm)));
+    ASSERT_NE(keys().motion(), nullptr);
+    const PoseMatch wanted = keys().motion()->foundOfPart[arm].at(1);
+    ASSERT_GE(tiles->count(), 3) << "the keys and places like them";
+    settle();
+    QTest::mouseClick(tiles, Qt::LeftButton, {}, tiles->tileRect(2).center().toPoint());
+    settle();
+    EXPECT_FALSE(keys().draft().places[arm].empty());
+    ASSERT_NE(keys().motion(), nullptr) << keys().problem().toStdString();
+    const auto& taken = keys().motion()->plan.parts[arm];
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->match.clip, wanted.match.clip);
+    EXPECT_NEAR(taken->match.frames.front(), wanted.match.frames.front(), 2);
+    EXPECT_TRUE(keys().draft().body.empty()) << "the body stays";
+    const auto place = keys().draft().places[arm];
+    window_->files().saveTo(file("keys.kumite"));
+    settle();
+    window_->files().open({file("keys.kumite")});
+    settle();
+    EXPECT_EQ(keys().draft().places[arm], place);
+    session().document().undo();
+}
+
+TEST_F(KeyframeTest, APartOfATakeIsReplaced) {
+    openWorkspace();
+    window_->stage().setFocus();
+    press(Qt::Key_R);
+    auto* dialog = window_->findChild<PartDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    const auto field = [&](const char* name) {
+        for (auto* each : dialog->findChildren<QSpinBox*>()) {
+            if (each->accessibleName() == name) return each;
+        }
+        return static_cast<QSpinBox*>(nullptr);
+    };
+    field("Last frame of the take that is changed")->setValue(60);
+    field("First frame of the take that is changed")->setValue(20);
+    field("Last frame of the take or clip that lends the part")->setValue(90);
+    field("First frame of the take or clip that lends the part")->setValue(60);
+    ASSERT_NE(dialog->result(), nullptr);
+    EXPECT_EQ(dialog->findChild<ActionTiles*>()->count(), 3);
+    const MotionLibrary& library = *keys().motions();
+    int index = -1;
+    for (auto* combo : dialog->findChildren<QComboBox*>()) {
+        if (combo->accessibleName() == "The take that is changed") index = combo->currentIndex();
+    }
+    ASSERT_GE(index, 0);
+    for (auto* combo : dialog->findChildren<QComboBox*>()) {
+        // The made fighters move with their legs.
+        if (combo->accessibleName() == "Part that is replaced")
+            combo->setCurrentIndex(combo->findData(static_cast<int>(BodyPart::LeftLeg)));
+    }
+    const Clip& take = library.motions[static_cast<std::size_t>(index)].clip;
+    const auto knee = static_cast<std::size_t>(*library.rig->roles[Role::LeftKnee]);
+    const Clip& made = *dialog->result();
+    ASSERT_EQ(made.frameCount(), take.frameCount());
+    EXPECT_GT(made.frames[40].turns[knee].angularDistance(take.frames[40].turns[knee]), 1e-3);
+    std::vector<int> parents;
+    for (const Rig::Joint& joint : library.rig->joints)
+        parents.push_back(joint.parent);
+    const auto parts = partsOfJoints(parents, library.rig->roles);
+    for (const std::size_t frame : {5U, 40U, 80U}) {
+        for (std::size_t j = 0; j < take.frames[frame].turns.size(); ++j) {
+            if (frame == 40 && parts[j] == BodyPart::LeftLeg) continue;
+            EXPECT_EQ(made.frames[frame].turns[j].coeffs(), take.frames[frame].turns[j].coeffs());
+        }
+        EXPECT_EQ(made.frames[frame].root, take.frames[frame].root);
+    }
+    field("First frame of the take that is changed")->setValue(61);
+    EXPECT_EQ(dialog->result(), nullptr) << "it would end before it begins";
+    field("First frame of the take that is changed")->setValue(20);
+    keepMotionAs(session(), keys().writing(), dialog->madeMotion(), file("edited.bvh"));
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return session().document().project().takes.size() == 2; }, 10000));
+    EXPECT_TRUE(QFileInfo::exists(file("edited.bvh")));
+    QTest::keyClick(dialog, Qt::Key_Escape);
 }
 
 /// Strikes come with the demo bout and its labels.
@@ -212,7 +528,7 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
     window_->workspaces().show("bout");
     settle();
     for (auto* button : window_->findChildren<QPushButton*>()) {
-        if (button->text() == "Take over labels…" && button->isVisible())
+        if (button->text() == "Take over labels" && button->isVisible())
             QTest::mouseClick(button, Qt::LeftButton);
     }
     settle();
@@ -245,6 +561,47 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
     settle();
     ASSERT_TRUE(QTest::qWaitFor([&] { return hit.motion().has_value(); }, 20000));
     EXPECT_EQ(hit.target(), aimed);
+    // Each is a step of the history, and saved.
+    const auto steps = session().document().history().position();
+    hit.setTarget(before);
+    EXPECT_EQ(session().document().history().position(), steps + 1);
+    session().document().undo();
+    EXPECT_EQ(hit.target(), aimed);
+    const std::string strike = hit.strike();
+    const std::string other = strike == strikes.front() ? strikes.back() : strikes.front();
+    hit.setStrike(other);
+    EXPECT_EQ(hit.strike(), other);
+    session().document().undo();
+    settle();
+    EXPECT_EQ(hit.strike(), strike);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return hit.motion().has_value(); }, 20000));
+    EXPECT_EQ(hit.target(), aimed);
+    EXPECT_LT((*hitDraftOf(session().document().project()).target - aimed).norm(), 1e-12);
+    // Esc leaves the target where it was.
+    const QPoint held = window_->stage().handlePosition(0)->toPoint();
+    QTest::mousePress(&window_->stage(), Qt::LeftButton, {}, held);
+    QTest::mouseMove(&window_->stage(), held + QPoint(0, -20));
+    EXPECT_NE(hit.target(), aimed);
+    QTest::keyClick(&window_->stage(), Qt::Key_Escape);
+    QTest::mouseRelease(&window_->stage(), Qt::LeftButton, {}, held);
+    EXPECT_EQ(hit.target(), aimed);
+    // At the opponent's body, a place of the recording.
+    hit.setAim(Role::Head);
+    ASSERT_NE(hit.opponent(), nullptr);
+    hit.setDistance(1.1);
+    const Eigen::Vector3d head = hit.target();
+    EXPECT_GT(head.y(), 1.2);
+    hit.setDistance(0.9);
+    EXPECT_NEAR(hit.target().z(), head.z() - 0.2, 1e-6);
+    const QPoint mark = window_->stage().handlePosition(3)->toPoint();
+    QTest::mouseClick(&window_->stage(), Qt::LeftButton, {}, mark);
+    EXPECT_TRUE(hit.aim());
+    EXPECT_NE(hit.aim(), Role::Head) << "a click on another of its marks";
+    EXPECT_LT(hit.target().y(), head.y());
+    session().document().undo();
+    EXPECT_EQ(hit.aim(), Role::Head);
+    hit.setAim(std::nullopt);
+    EXPECT_EQ(hit.opponent(), nullptr);
     // Far outside of what can be reached: it says so, and the nearest is shown.
     hit.setTarget({2.5, 2.4, -2.0});
     ASSERT_TRUE(hit.motion());

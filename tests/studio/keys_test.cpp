@@ -242,7 +242,7 @@ TEST_F(WindowTest, KeysAreTakenOverOnPurposeAndReset) {
     EXPECT_EQ(session().document().history().position(), 0U);
     bool named = false;
     for (const auto* label : editor->findChildren<QLabel*>())
-        named = named || label->text().contains("Add boundary at the playhead (Segment)");
+        named = named || label->text().contains("Split here: add a boundary (Segment)");
     EXPECT_TRUE(named);
     QPushButton* take = buttonOf(*editor, "Take it over");
     ASSERT_NE(take, nullptr);
@@ -256,7 +256,7 @@ TEST_F(WindowTest, KeysAreTakenOverOnPurposeAndReset) {
     EXPECT_FALSE(window_->panelsShown());
     for (const KeyGroup& group : keyGroups(window_->commands())) {
         for (const KeyGroup::Row& row : group.rows)
-            EXPECT_NE(row.text, "Add boundary at the playhead");
+            EXPECT_NE(row.text, "Split here: add a boundary");
     }
     // And in the next window.
     MainWindow next;

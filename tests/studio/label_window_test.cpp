@@ -2,9 +2,11 @@
 
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -154,6 +156,51 @@ TEST_F(LabelTest, KeysLeadFromNothingToEveryActionLabelled) {
         press(Qt::Key_Y, Qt::ControlModifier);
         EXPECT_TRUE(document().project() == states[i]) << "state " << i;
     }
+}
+
+TEST_F(LabelTest, ReturnAnswersOnlyInTheViewsAndPressesTheButtonThatHasTheFocus) {
+    openDemo();
+    pressKeyOf("label.next");
+    press(Qt::Key_B);
+    waitUntilLearnt(true);
+    const std::size_t before = document().history().position();
+    int tried = 0;
+    for (auto* tab : window_->menuBar()->findChildren<QToolButton*>()) {
+        if (tab->accessibleName() != "Label workspace") continue;
+        for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Backspace}) {
+            tab->setFocus(Qt::TabFocusReason);
+            QTest::keyClick(tab, key);
+            ++tried;
+        }
+        EXPECT_TRUE(tab->isChecked());
+    }
+    EXPECT_EQ(tried, 3);
+    auto* threshold = panel().findChild<QDoubleSpinBox*>();
+    threshold->setFocus();
+    QTest::keyClicks(threshold, "0.5");
+    QTest::keyClick(threshold, Qt::Key_Return);
+    QTest::keyClick(threshold, Qt::Key_Return);
+    EXPECT_EQ(document().history().position(), before) << "nobody answered";
+    for (auto* tab : window_->menuBar()->findChildren<QToolButton*>()) {
+        if (tab->accessibleName() != "Segment workspace") continue;
+        tab->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(tab, Qt::Key_Return);
+    }
+    EXPECT_EQ(window_->workspaces().current(), "segment");
+    EXPECT_EQ(document().history().position(), before);
+}
+
+TEST_F(LabelTest, TheBarOfTheSureHasKeysAndBeginsAnewWithEveryProject) {
+    openDemo();
+    auto* threshold = panel().findChild<QDoubleSpinBox*>();
+    EXPECT_DOUBLE_EQ(threshold->value(), 0.9);
+    pressKeyOf("label.barDown");
+    pressKeyOf("label.barDown");
+    EXPECT_DOUBLE_EQ(threshold->value(), 0.8);
+    pressKeyOf("label.barUp");
+    EXPECT_DOUBLE_EQ(threshold->value(), 0.85);
+    openDemo();
+    EXPECT_DOUBLE_EQ(threshold->value(), 0.9);
 }
 
 TEST_F(LabelTest, TheFirstQuestionsStandForManyActions) {

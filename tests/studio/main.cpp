@@ -5,6 +5,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include "studio/app/language.h"
 #include "studio/app/main_window.h"
 #include "studio/app/theme.h"
 
@@ -21,6 +22,7 @@ int main(int argc, char** argv) {
     QApplication::setOrganizationName("kumite");
     QApplication::setApplicationName("kumite-studio-tests");
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
+    kumite::studio::useLanguage("en");
     kumite::studio::applyTheme(kumite::studio::ThemeChoice::Dark);
     testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();

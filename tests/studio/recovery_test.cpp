@@ -89,6 +89,30 @@ TEST_F(RecoveryTest, CopyOfADeadStudioOpensAsUnsavedWithAllItsEdits) {
     EXPECT_TRUE(Recovery::leftBehind().empty());
 }
 
+TEST_F(RecoveryTest, TheFirstSaveAfterwardsAsksOnlyWhereTheFileIsAnother) {
+    openBout();
+    ASSERT_TRUE(window_->files().saveTo(file("bout.kumite")));
+    {
+        Recovery recovery(session());
+        session().toggleBoundary(someBoundary(0));
+        leaveBehind("dead");
+    }
+    const RecoveryCopy left = Recovery::leftBehind().at(0);
+    window_->files().openRecovered(left);
+    settle();
+    EXPECT_TRUE(window_->files().saveTo(file("bout.kumite")))
+        << "it asked about the user's own save";
+
+    Project other = session().document().project();
+    other.segmentation.cutoff = 4.5;
+    saveProject(other, toPath(file("bout.kumite")));
+    window_->files().openRecovered(left);
+    settle();
+    answer("Cancel");
+    EXPECT_FALSE(window_->files().saveTo(file("bout.kumite")));
+    EXPECT_EQ(loadProject(toPath(file("bout.kumite"))).project.segmentation.cutoff, 4.5);
+}
+
 TEST_F(RecoveryTest, WhereTheLastCopyIsTornTheOneBeforeIsOffered) {
     openBout();
     {

@@ -106,7 +106,8 @@ TEST_F(ReviewTest, ADecisionShowsTheNextSuspect) {
         EXPECT_FALSE(mark(now)->isLive());
         const auto left = suspectsOf(session());
         if (!left.front().isOpen() || left.front().suspicion < kSuspect) {
-            EXPECT_EQ(session().selection(), now) << "nothing is left that is worth a look";
+            EXPECT_FALSE(session().selection())
+                << "nothing is left that is worth a look, and the same key again undoes nothing";
             press(Qt::Key_N);
         } else {
             EXPECT_EQ(session().selection(), left.front().boundary);

@@ -30,22 +30,6 @@
 namespace kumite::studio {
 namespace {
 
-/// Presses a button, by its text, of the message box that comes up next.
-void answer(const QString& text, int patience = 400) {
-    QTimer::singleShot(25, qApp, [text, patience] {
-        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-        if (box == nullptr) {
-            ASSERT_GT(patience, 0) << "nothing was asked that " << text.toStdString() << " answers";
-            return answer(text, patience - 1);
-        }
-        for (QAbstractButton* button : box->buttons()) {
-            if (button->text().remove('&') == text) return button->click();
-        }
-        ADD_FAILURE() << "no button " << text.toStdString();
-        box->reject();
-    });
-}
-
 int corrections(const Project& project) {
     int count = 0;
     for (const Take& take : project.takes) {

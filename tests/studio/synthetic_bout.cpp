@@ -2,8 +2,11 @@
 
 #include <QApplication>
 #include <QFile>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSettings>
 #include <QTest>
+#include <QTimer>
 
 #include <cmath>
 #include <numbers>
@@ -11,6 +14,7 @@
 
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/language.h"
 #include "studio/app/picture.h"
 #include "studio/timeline/timeline_view.h"
 
@@ -129,6 +133,21 @@ void WindowTest::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
 
 void WindowTest::click(const QPointF& position) {
     QTest::mouseClick(&timeline(), Qt::LeftButton, Qt::NoModifier, position.toPoint());
+}
+
+void answer(const QString& text, int patience) {
+    QTimer::singleShot(25, qApp, [text, patience] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (box == nullptr) {
+            ASSERT_GT(patience, 0) << "nothing was asked that " << text.toStdString() << " answers";
+            return answer(text, patience - 1);
+        }
+        for (QAbstractButton* button : box->buttons()) {
+            if (withoutMnemonic(button->text()) == text) return button->click();
+        }
+        ADD_FAILURE() << "no button " << text.toStdString();
+        box->reject();
+    });
 }
 
 }  // namespace kumite::studio

@@ -15,6 +15,9 @@ namespace kumite::studio {
 /// the contact force has minima. `phase` shifts the bobbing, `x` the place.
 std::string bobbingPerson(double phase, double x, int frames = 600, double rate = 60);
 
+/// Presses a button, by its text, of the message box that comes up next.
+void answer(const QString& text, int patience = 400);
+
 /// A real window in a folder of its own, and two recordings in it.
 class WindowTest : public testing::Test {
 protected:

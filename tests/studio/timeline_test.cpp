@@ -11,6 +11,7 @@
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/message_strip.h"
+#include "studio/app/opening.h"
 #include "studio/timeline/note_field.h"
 #include "studio/view3d/stage_view.h"
 #include "tests/studio/synthetic_bout.h"
@@ -186,6 +187,31 @@ TEST_F(TimelineTest, LoopEndsAreDraggedOnTheRuler) {
     EXPECT_TRUE(session().transport().isLooping());
 }
 
+TEST_F(TimelineTest, HoweverNarrowMostOfABlockIsTheActions) {
+    QStringList files;
+    for (const double phase : {0.0, 1.0}) {
+        files.append(file(QString("long%1.bvh").arg(phase)));
+        QFile out(files.back());
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(QByteArray::fromStdString(bobbingPerson(phase, 100 * phase, 6000)));
+    }
+    window_->files().openBout(requestFor(files), false);
+    settle();
+    session().showAll();
+    const ActionRef action = someAction(0);
+    const QRectF block = timeline().blockOf(action);
+    ASSERT_LT(block.width(), 16);
+    for (const double share : {0.3, 0.5, 0.7}) {
+        session().select(std::nullopt);
+        session().selectAction(std::nullopt);
+        click({block.left() + share * block.width(), block.center().y()});
+        EXPECT_FALSE(session().selection()) << share;
+        EXPECT_EQ(session().selectedAction(), action) << share;
+    }
+    click(block.topLeft() + QPointF(0, 2));
+    EXPECT_TRUE(session().selection());
+}
+
 TEST_F(TimelineTest, ANoteIsWrittenByKeysShownSavedAndUndone) {
     openBout();
     const ActionRef action = someAction(0);
@@ -209,6 +235,12 @@ TEST_F(TimelineTest, ANoteIsWrittenByKeysShownSavedAndUndone) {
     window_->files().open({file("noted.kumite")});
     settle();
     EXPECT_EQ(session().noteOf(action), "feint, low");
+    session().selectAction(std::nullopt);
+    const QRectF block = timeline().blockOf(action);
+    click({block.right() - 4, block.top() + 4});
+    ASSERT_TRUE(note()->isVisible()) << "its folded corner opens it";
+    EXPECT_EQ(note()->text(), "feint, low");
+    QTest::keyClick(note(), Qt::Key_Escape);
     session().transport().setPlayhead(session().spanOf(action).begin + 0.05);
     press(Qt::Key_N, Qt::ControlModifier);
     EXPECT_EQ(note()->text(), "feint, low");

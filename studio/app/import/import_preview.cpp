@@ -172,11 +172,11 @@ void ImportPreview::paintPlot(QPainter& painter) const {
     };
     painter.setPen(c.secondText);
     const QString time = timeText(seconds_);
-    painter.drawText(QRectF(0, rect.top() - 18, width() - 4, 16), Qt::AlignRight | Qt::AlignVCenter,
-                     distances.empty()
-                         ? time
-                         : tr("%1   distance %2 m")
-                               .arg(time, QString::number(look_->distanceAt(seconds_), 'f', 2)));
+    painter.drawText(
+        QRectF(0, rect.top() - 18, width() - 4, 16), Qt::AlignRight | Qt::AlignVCenter,
+        distances.empty()
+            ? time
+            : tr("%1   distance %2 m").arg(time, numberText(look_->distanceAt(seconds_), 2)));
     const double step = niceStep(length, 6);
     if (!distances.empty()) {
         painter.drawText(QRectF(0, rect.top() - 18, width(), 16), Qt::AlignLeft | Qt::AlignVCenter,

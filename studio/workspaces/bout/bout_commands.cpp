@@ -1,14 +1,16 @@
 #include "studio/workspaces/bout/bout_commands.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QProgressDialog>
-#include <QSettings>
 
 #include <cmath>
 
 #include "core/project/kept_bout.h"
 #include "studio/app/commands.h"
+#include "studio/app/core_words.h"
+#include "studio/app/folders.h"
 #include "studio/app/questions.h"
 #include "studio/view3d/stage_view.h"
 #include "studio/workspaces/bout/bout_export.h"
@@ -19,46 +21,43 @@ namespace kumite::studio {
 namespace {
 
 /// Translations of this file.
-QString text(const char* source) {
-    return QApplication::translate("kumite::studio::BoutCommands", source);
-}
+struct BoutCommands {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::BoutCommands)
+};
 
 /// "Kick", "Right punch": what a key asks for.
 QString commandText(const BoutSession& bout, const std::string& words) {
     const Vocabulary& vocabulary = bout.library().vocabulary();
     const auto aspect = vocabulary.find(words);
-    QString name = QString::fromStdString(aspect ? vocabulary[*aspect].name : words);
+    QString name =
+        aspect ? vocabularyWords(vocabulary[*aspect].name) : QString::fromStdString(words);
     if (!name.isEmpty()) name[0] = name[0].toUpper();
-    return text("Avatar: %1").arg(name);
+    return BoutCommands::tr("Avatar: %1").arg(name);
 }
 
 /// A name in the folder of the document for what comes of a bout.
 QString suggestion(BoutSession& bout, const QString& suffix) {
-    const Document& document = bout.session().document();
-    const QFileInfo project(document.path());
-    const QString folder = document.path().isEmpty()
-                               ? QSettings().value(QStringLiteral("exportFolder")).toString()
-                               : project.path();
     const auto seed = bout.tape()->now().settings().seed;
-    return folder + QLatin1Char('/') + QStringLiteral("bout-%1%2").arg(seed).arg(suffix);
+    return startFolder(bout.session().document()) + QLatin1Char('/') +
+           QStringLiteral("bout-%1%2").arg(seed).arg(suffix);
 }
 
 void keepAsTake(BoutSession& bout, StageView& stage) {
     Document& document = bout.session().document();
     if (!document.isCurrent()) {
-        Q_EMIT bout.session().hinted(text("The analysis is not finished yet."));
+        Q_EMIT bout.session().hinted(BoutCommands::tr("The analysis is not finished yet."));
         return;
     }
     bout.setPlaying(false);
     // While the dialog is open another bout may be begun.
     const BoutTape tape = *bout.tape();
-    const QString path = fileToSave(stage.window(), text("Keep the bout as a take"),
+    const QString path = fileToSave(stage.window(), BoutCommands::tr("Keep the bout as a take"),
                                     suggestion(bout, QStringLiteral(".bvh")),
-                                    text("Recordings, NAME-1 and NAME-2 (*.bvh)"));
+                                    BoutCommands::tr("Recordings, NAME-1 and NAME-2 (*.bvh)"));
     if (path.isEmpty()) return;
     const QFileInfo info(path);
     bout.writing().start(
-        text("Keeping the bout"),
+        BoutCommands::tr("Keeping the bout"),
         [project = document.project(), analysis = document.analysis(), tape,
          name = info.completeBaseName().toStdString(),
          folder = info.path().toStdString()](const Progress& progress) {
@@ -68,16 +67,18 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
             Document& now = bout.session().document();
             if (!(now.project() == before)) {
                 Q_EMIT bout.failed(
-                    text("The project changed while the bout was written. Its files "
-                         "are there; open them as a take, or keep it again under "
-                         "another name."));
+                    BoutCommands::tr("The project changed while the bout was written. Its files "
+                                     "are there; open them as a take, or keep it again under "
+                                     "another name."));
                 return;
             }
             const std::string take = kept.edit.project.takes.back().name;
             now.apply(Document::ProjectEdit(
                 [&kept](const Project&) { return MaybeEdit(std::move(kept.edit)); }));
+            bout.stayWith(now.project());
             Q_EMIT bout.session().hinted(
-                text("Kept as take %1. Detection alone finds %2 % and %3 % of its boundaries.")
+                BoutCommands::tr(
+                    "Kept as take %1. Detection alone finds %2 % and %3 % of its boundaries.")
                     .arg(QString::fromStdString(take))
                     .arg(std::lround(100 * kept.foundAgain[0]))
                     .arg(std::lround(100 * kept.foundAgain[1])));
@@ -88,7 +89,8 @@ void keepAsTake(BoutSession& bout, StageView& stage) {
 /// Nothing where it was cancelled; a sentence where it failed.
 std::optional<QString> writeFilm(BoutSession& bout, StageView& stage, const QString& path) {
     bout.jobs().cancel();  // no other bout meanwhile
-    QProgressDialog progress(text("Writing the bout"), text("Cancel"), 0, 1000, stage.window());
+    QProgressDialog progress(BoutCommands::tr("Writing the bout"), BoutCommands::tr("Cancel"), 0,
+                             1000, stage.window());
     progress.setWindowModality(Qt::WindowModal);
     const int head = bout.tape()->frame();
     FilmFrames frames;
@@ -113,40 +115,42 @@ void exportBout(BoutSession& bout, StageView& stage) {
     bout.setPlaying(false);
     const BoutTape tape = *bout.tape();
     const QString path = fileToSave(
-        stage.window(), text("Export the bout"), suggestion(bout, QStringLiteral(".bvh")),
-        text("Motion of both, NAME-1 and NAME-2 (*.bvh);;glTF: skeletons and animation (*.glb);;"
-             "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes "
-             "it again (*.json)"));
+        stage.window(), BoutCommands::tr("Export the bout"),
+        suggestion(bout, QStringLiteral(".bvh")),
+        BoutCommands::tr(
+            "Motion of both, NAME-1 and NAME-2 (*.bvh);;glTF: skeletons and animation (*.glb);;"
+            "Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes "
+            "it again (*.json)"));
     if (path.isEmpty()) return;
-    QSettings().setValue(QStringLiteral("exportFolder"), QFileInfo(path).absolutePath());
+    rememberFolder(path);
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("png") || suffix == QLatin1String("mp4")) {
         if (!bout.tape()) return;
         const std::optional<QString> failure = writeFilm(bout, stage, path);
         if (!failure) {
-            Q_EMIT bout.session().hinted(text("Cancelled."));
+            Q_EMIT bout.session().hinted(BoutCommands::tr("Cancelled."));
         } else if (failure->isEmpty()) {
-            Q_EMIT bout.session().hinted(text("Written: %1").arg(path));
+            Q_EMIT bout.session().hinted(BoutCommands::tr("Written: %1").arg(path));
         } else {
             Q_EMIT bout.failed(*failure);
         }
         return;
     }
     bout.writing().start(
-        text("Writing the bout"),
+        BoutCommands::tr("Writing the bout"),
         [project = bout.session().document().project(), tape, path](const Progress& progress) {
             writeBout(project, tape, path, progress);
             return path;
         },
         [&bout](const QString& written) {
-            Q_EMIT bout.session().hinted(text("Written: %1").arg(written));
+            Q_EMIT bout.session().hinted(BoutCommands::tr("Written: %1").arg(written));
         });
 }
 
 }  // namespace
 
 void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage) {
-    const QString menu = text("&Bout");
+    const QString menu = BoutCommands::tr("&Bout");
     const QString group = QLatin1Char('-') + menu;
     BoutSession* session = &bout;
     StageView* view = &stage;
@@ -157,7 +161,7 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
     };
     commands.add({"bout.play",
                   menu,
-                  text("&Fight or pause"),
+                  BoutCommands::tr("&Fight or pause"),
                   {QKeySequence("Space")},
                   [session] { session->setPlaying(!session->isPlaying()); },
                   there,
@@ -165,13 +169,13 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                   "play"});
     commands.add({"bout.begin",
                   menu,
-                  text("Begin a&new"),
+                  BoutCommands::tr("Begin a&new"),
                   {QKeySequence("Ctrl+B")},
                   [session] { session->begin(); },
                   there});
     commands.add({"bout.nextSeed",
                   menu,
-                  text("Begin with the next &seed"),
+                  BoutCommands::tr("Begin with the next &seed"),
                   {QKeySequence("Ctrl+Shift+B")},
                   [session] {
                       BoutSettings settings = session->wanted();
@@ -181,7 +185,7 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                   there});
     commands.add({"bout.reseed",
                   menu,
-                  text("Go on from here with other &draws"),
+                  BoutCommands::tr("Go on from here with other &draws"),
                   {QKeySequence("R")},
                   [session] {
                       const auto& tape = *session->tape();
@@ -204,15 +208,17 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                       {},
                       icon});
     };
-    step("bout.back", text("One frame back"), {QKeySequence("Left"), QKeySequence(",")}, -1e-6,
-         "step_back", group);
-    step("bout.on", text("One frame on"), {QKeySequence("Right"), QKeySequence(".")}, 1e-6,
-         "step_on", menu);
-    step("bout.backSecond", text("One second back"), {QKeySequence("Shift+Left")}, -1, {}, menu);
-    step("bout.onSecond", text("One second on"), {QKeySequence("Shift+Right")}, 1, {}, menu);
+    step("bout.back", BoutCommands::tr("One frame back"), {QKeySequence("Left"), QKeySequence(",")},
+         -1e-6, "step_back", group);
+    step("bout.on", BoutCommands::tr("One frame on"), {QKeySequence("Right"), QKeySequence(".")},
+         1e-6, "step_on", menu);
+    step("bout.backSecond", BoutCommands::tr("One second back"), {QKeySequence("Shift+Left")}, -1,
+         {}, menu);
+    step("bout.onSecond", BoutCommands::tr("One second on"), {QKeySequence("Shift+Right")}, 1, {},
+         menu);
     commands.add({"bout.start",
                   menu,
-                  text("To the start"),
+                  BoutCommands::tr("To the start"),
                   {QKeySequence("Home")},
                   [session] { session->seek(0); },
                   there,
@@ -220,7 +226,7 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                   "to_begin"});
     commands.add({"bout.end",
                   menu,
-                  text("To the end of what was shown"),
+                  BoutCommands::tr("To the end of what was shown"),
                   {QKeySequence("End")},
                   [session] { session->seek(session->tape()->end()); },
                   there,
@@ -228,13 +234,13 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                   "to_end"});
     commands.add({"bout.slower",
                   menu,
-                  text("Slower"),
+                  BoutCommands::tr("Slower"),
                   {QKeySequence("-")},
                   [session] { session->setSpeed(session->speed() / 2); },
                   there});
     commands.add({"bout.faster",
                   menu,
-                  text("Faster"),
+                  BoutCommands::tr("Faster"),
                   {QKeySequence("+"), QKeySequence("=")},
                   [session] { session->setSpeed(session->speed() * 2); },
                   there});
@@ -252,14 +258,16 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                       there,
                       [session, which] { return session->wanted().mode == which; }});
     };
-    mode("bout.automatic", text("&Automatic: the model decides"), BoutMode::Automatic, group);
-    mode("bout.avatar", text("A&vatar: keys lead one fighter"), BoutMode::Avatar, menu);
-    mode("bout.passive", text("&Passive: one answers a captured attack"), BoutMode::Passive, menu);
+    mode("bout.automatic", BoutCommands::tr("&Automatic: the model decides"), BoutMode::Automatic,
+         group);
+    mode("bout.avatar", BoutCommands::tr("A&vatar: keys lead one fighter"), BoutMode::Avatar, menu);
+    mode("bout.passive", BoutCommands::tr("&Passive: one answers a captured attack"),
+         BoutMode::Passive, menu);
     for (int key = 1; key <= kAvatarKeys; ++key) {
         const auto index = static_cast<std::size_t>(key - 1);
         Command command{QStringLiteral("bout.act%1").arg(key),
                         key == 1 ? group : menu,
-                        text("Avatar: key %1").arg(key),
+                        BoutCommands::tr("Avatar: key %1").arg(key),
                         {QKeySequence(QString::number(key))},
                         [session, index] {
                             const auto& words = session->commandWords();
@@ -273,7 +281,7 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
     }
     commands.add({"bout.release",
                   menu,
-                  text("Avatar: &forget what was asked for"),
+                  BoutCommands::tr("Avatar: &forget what was asked for"),
                   {QKeySequence("0")},
                   [session] {
                       session->release();
@@ -282,19 +290,19 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
                   [session] { return session->steers(); }});
     commands.add({"bout.measure",
                   group,
-                  text("&Measure the quality"),
+                  BoutCommands::tr("&Measure the quality"),
                   {QKeySequence("Q")},
                   [session] { session->judge(); },
                   there});
     commands.add({"bout.keep",
                   menu,
-                  text("&Keep as a take…"),
+                  BoutCommands::tr("&Keep as a take…"),
                   {QKeySequence("Ctrl+T")},
                   [session, view] { keepAsTake(*session, *view); },
                   writable});
     commands.add({"bout.export",
                   menu,
-                  text("E&xport the bout…"),
+                  BoutCommands::tr("E&xport the bout…"),
                   {QKeySequence("Ctrl+Shift+E")},
                   [session, view] { exportBout(*session, *view); },
                   writable});
@@ -305,7 +313,7 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
             const auto index = static_cast<std::size_t>(key - 1);
             table->setText(QStringLiteral("bout.act%1").arg(key),
                            index < words.size() ? commandText(*session, words[index])
-                                                : text("Avatar: key %1").arg(key));
+                                                : BoutCommands::tr("Avatar: key %1").arg(key));
         }
         table->refresh();
     });

@@ -20,9 +20,10 @@ namespace kumite::studio {
 
 namespace {
 
-QString text(const char* source) {
-    return QCoreApplication::translate("kumite::studio::BoutExport", source);
-}
+/// Translations of this file.
+struct BoutExport {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::BoutExport)
+};
 
 /// "folder/bout" of "folder/bout.bvh".
 QString stemOf(const QString& path) {
@@ -84,7 +85,7 @@ QString writePictures(const FilmFrames& frames, const QString& path) {
         const QString file =
             stemOf(path) + QStringLiteral("-%1.png").arg(i + 1, 5, 10, QLatin1Char('0'));
         if (!frames.picture(i).save(file, "PNG")) {
-            return text("%1: it cannot be written there.").arg(file);
+            return BoutExport::tr("%1: it cannot be written there.").arg(file);
         }
     }
     return {};
@@ -93,7 +94,7 @@ QString writePictures(const FilmFrames& frames, const QString& path) {
 QString writeVideo(const FilmFrames& frames, const QString& path) {
     const QString program = QStandardPaths::findExecutable(QStringLiteral("ffmpeg"));
     if (program.isEmpty()) {
-        return text(
+        return BoutExport::tr(
             "There is no ffmpeg on this computer, which a video needs: install it (on Debian and "
             "Ubuntu: sudo apt install ffmpeg), or export pictures (.png).");
     }
@@ -102,7 +103,7 @@ QString writeVideo(const FilmFrames& frames, const QString& path) {
     ffmpeg.start(program, {"-y", "-loglevel", "error", "-f", "image2pipe", "-framerate",
                            QString::number(frames.rate, 'f', 3), "-i", "-", "-vf",
                            "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", path});
-    if (!ffmpeg.waitForStarted()) return text("%1 cannot be started.").arg(program);
+    if (!ffmpeg.waitForStarted()) return BoutExport::tr("%1 cannot be started.").arg(program);
     for (int i = 0; i < frames.count; ++i) {
         if (!frames.goesOn(static_cast<double>(i) / frames.count)) {
             ffmpeg.kill();
@@ -122,7 +123,7 @@ QString writeVideo(const FilmFrames& frames, const QString& path) {
     ffmpeg.closeWriteChannel();
     ffmpeg.waitForFinished(-1);
     if (ffmpeg.exitStatus() == QProcess::NormalExit && ffmpeg.exitCode() == 0) return {};
-    return text("ffmpeg could not write the video: %1")
+    return BoutExport::tr("ffmpeg could not write the video: %1")
         .arg(QString::fromUtf8(ffmpeg.readAll()).trimmed());
 }
 

@@ -35,7 +35,7 @@ struct Measure {
 };
 
 QString percent(const std::optional<double>& share) {
-    return share ? QString::number(100 * *share, 'f', 1) + QStringLiteral(" %") : QString();
+    return share ? numberText(100 * *share, 1) + QStringLiteral(" %") : QString();
 }
 
 QString percent(const std::optional<Penetration>& found) {
@@ -43,43 +43,44 @@ QString percent(const std::optional<Penetration>& found) {
 }
 
 std::vector<Measure> measures() {
-    const auto tr = [](const char* text) { return BoutPanel::tr(text); };
     return {
-        {tr("foot skate"),
-         tr("Share of frames in which a foot near the floor slides faster than "
-            "0.5 m/s"),
+        {BoutPanel::tr("foot skate"),
+         BoutPanel::tr("Share of frames in which a foot near the floor slides faster than "
+                       "0.5 m/s"),
          [](const Quality& q) { return percent(q.footSkate); }},
-        {tr("in the floor"), tr("Share of frames with a foot more than 5 mm in the floor"),
+        {BoutPanel::tr("in the floor"),
+         BoutPanel::tr("Share of frames with a foot more than 5 mm in the floor"),
          [](const Quality& q) { return percent(q.floor); }},
-        {tr("overlap"), tr("Share of frames with the bodies more than 3 cm in each other"),
+        {BoutPanel::tr("overlap"),
+         BoutPanel::tr("Share of frames with the bodies more than 3 cm in each other"),
          [](const Quality& q) { return percent(q.interpenetration); }},
-        {tr("joins"),
-         tr("Joint accelerations where actions are joined, their 99th percentile over "
-            "that inside recorded actions"),
+        {BoutPanel::tr("joins"),
+         BoutPanel::tr("Joint accelerations where actions are joined, their 99th percentile over "
+                       "that inside recorded actions"),
          [](const Quality& q) {
              return q.joinAccelerationRatio
-                        ? QString::number(*q.joinAccelerationRatio, 'f', 2) + QStringLiteral("×")
+                        ? numberText(*q.joinAccelerationRatio, 2) + QStringLiteral("×")
                         : QString();
          }},
-        {tr("facing"), tr("Mean angle between where a fighter faces and its opponent"),
+        {BoutPanel::tr("facing"),
+         BoutPanel::tr("Mean angle between where a fighter faces and its opponent"),
          [](const Quality& q) {
-             return q.facingError
-                        ? QString::number(*q.facingError * 180 / std::numbers::pi, 'f', 0) +
-                              QStringLiteral("°")
-                        : QString();
+             return q.facingError ? numberText(*q.facingError * 180 / std::numbers::pi, 0) +
+                                        QStringLiteral("°")
+                                  : QString();
          }},
-        {tr("distance"), tr("Mean distance between both fighters"),
+        {BoutPanel::tr("distance"), BoutPanel::tr("Mean distance between both fighters"),
          [](const Quality& q) {
-             return q.distance ? QString::number(q.distance->mean, 'f', 2) + QStringLiteral(" m")
-                               : QString();
+             return q.distance ? numberText(q.distance->mean, 2) + QStringLiteral(" m") : QString();
          }},
-        {tr("hit timing"), tr("How far reactions are from their due moment, on average"),
+        {BoutPanel::tr("hit timing"),
+         BoutPanel::tr("How far reactions are from their due moment, on average"),
          [](const Quality& q) {
-             return q.hitTiming
-                        ? QString::number(1000 * *q.hitTiming, 'f', 0) + QStringLiteral(" ms")
-                        : QString();
+             return q.hitTiming ? numberText(1000 * *q.hitTiming, 0) + QStringLiteral(" ms")
+                                : QString();
          }},
-        {tr("variety"), tr("Share of distinct runs of three labels; falls with length"),
+        {BoutPanel::tr("variety"),
+         BoutPanel::tr("Share of distinct runs of three labels; falls with length"),
          [](const Quality& q) { return q.variety ? percent(q.variety->share()) : QString(); }}};
 }
 
@@ -372,10 +373,12 @@ void BoutPanel::showQuality() {
             const QString text = measure.text(quality);
             return text.isEmpty() ? QStringLiteral("–") : text;
         };
-        quality_->item(row, 1)->setText(judgement ? textOf(judgement->bout) : QString());
-        quality_->item(row, 2)->setText(judgement ? textOf(judgement->recording) : QString());
+        // Nothing is measured unasked: "…" waits for the button.
+        const QString none = QStringLiteral("…");
+        quality_->item(row, 1)->setText(judgement ? textOf(judgement->bout) : none);
+        quality_->item(row, 2)->setText(judgement ? textOf(judgement->recording) : none);
     }
-    judge_->setText(judgement ? tr("Measure (%1 s)").arg(judgement->seconds, 0, 'f', 0)
+    judge_->setText(judgement ? tr("Measure (%1 s)").arg(numberText(judgement->seconds, 0))
                               : tr("Measure"));
 }
 

@@ -144,6 +144,15 @@ bool BoutSession::isOf(const Project& project) const {
     return source_ && source_->project == project;
 }
 
+void BoutSession::stayWith(const Project& project) {
+    if (!source_) return;
+    auto source = std::make_shared<BoutSource>(*source_);
+    source->project = project;
+    source_ = std::move(source);
+    outdated_ = false;
+    Q_EMIT stateChanged();
+}
+
 void BoutSession::prepare() {
     const Document& document = session_.document();
     if (!active_ || !document.isOpen() || !document.isCurrent()) return;

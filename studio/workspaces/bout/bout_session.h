@@ -76,6 +76,9 @@ public:
     /// Puts the head on a frame that was shown; later ones wait there.
     void seek(int frame);
     void step(int frames);
+    /// The project differs from the one that the bout was learnt from only by what was kept of it:
+    /// the bout goes on.
+    void stayWith(const Project& project);
     double rate() const;
 
     /// What is explained: the choice that was pointed to, else the last one of the active fighter

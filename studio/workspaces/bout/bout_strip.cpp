@@ -129,8 +129,20 @@ void BoutStrip::paintBlock(QPainter& painter, const Block& block) const {
     painter.setPen(c.text);
     const QString name = bout_.nameOf(block.player, block.node);
     const int wrapped = Qt::AlignLeft | Qt::TextWordWrap;
-    const bool fits = painter.boundingRect(text, wrapped, name).height() <= text.height();
-    painter.drawText(text, wrapped | (fits ? Qt::AlignVCenter : Qt::AlignTop), name);
+    const QRectF needed = painter.boundingRect(text, wrapped, name);
+    if (needed.height() <= text.height() && needed.width() <= text.width()) {
+        painter.drawText(text, wrapped | Qt::AlignVCenter, name);
+    } else {
+        // A word a line; what is too long ends in dots rather than in the middle of a letter.
+        const QFontMetrics metrics = painter.fontMetrics();
+        QStringList lines;
+        for (const QString& word : name.split(QLatin1Char(' ')))
+            lines.append(metrics.elidedText(word, Qt::ElideRight, static_cast<int>(text.width())));
+        const auto room = static_cast<qsizetype>(text.height() / metrics.lineSpacing());
+        while (lines.size() > std::max<qsizetype>(1, room))
+            lines.removeLast();
+        painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, lines.join(QLatin1Char('\n')));
+    }
 }
 
 void BoutStrip::paintEvent(QPaintEvent*) {

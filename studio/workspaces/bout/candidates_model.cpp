@@ -43,11 +43,10 @@ QVariant CandidatesModel::data(const QModelIndex& index, int role) const {
     const QString name = bout_.nameOf(choice_->player, option.candidate.node);
     if (role == Qt::DisplayRole) return name;
     if (role != Qt::ToolTipRole && role != Qt::AccessibleTextRole) return {};
-    QString text = tr("%1: chance %2, label term %3, geometry term %4, product %5")
-                       .arg(name, QString::number(option.chance, 'f', 3),
-                            QString::number(option.candidate.label, 'f', 3),
-                            QString::number(option.candidate.geometry, 'f', 3),
-                            QString::number(option.candidate.product, 'f', 3));
+    QString text =
+        tr("%1: chance %2, label term %3, geometry term %4, product %5")
+            .arg(name, numberText(option.chance, 3), numberText(option.candidate.label, 3),
+                 numberText(option.candidate.geometry, 3), numberText(option.candidate.product, 3));
     if (option.candidate.transition >= 0) {
         const CoupledGraph& graph = *bout_.library().graph;
         const Transition& t = graph.transitionsOf(
@@ -83,7 +82,7 @@ void CandidatesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
     row.colour = coloursFor(option.palette).fighters[model_.choice()->player];
     // Three stand side by side: what is hardly there is told by a word less.
     const auto number = [](double p) {
-        return p < 0.005 ? QStringLiteral("~0") : QString::number(p, 'f', 2);
+        return p < 0.005 ? QStringLiteral("~0") : numberText(p, 2);
     };
     row.bars = {{tr("label %1").arg(number(candidate.label)), candidate.label},
                 {tr("geom. %1").arg(number(candidate.geometry)), candidate.geometry},

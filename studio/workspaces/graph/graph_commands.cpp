@@ -1,10 +1,11 @@
 #include "studio/workspaces/graph/graph_commands.h"
 
 #include <QApplication>
+#include <QCoreApplication>
 #include <QFileInfo>
-#include <QSettings>
 
 #include "studio/app/commands.h"
+#include "studio/app/folders.h"
 #include "studio/app/questions.h"
 #include "studio/view3d/graph_view.h"
 #include "studio/workspaces/graph/graph_centre.h"
@@ -18,24 +19,24 @@ namespace kumite::studio {
 namespace {
 
 /// Translations of this file.
-QString text(const char* source) {
-    return QApplication::translate("kumite::studio::GraphCommands", source);
-}
+struct GraphCommands {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::GraphCommands)
+};
 
 void askForExport(GraphCentre& centre, GraphSession& graph) {
-    QSettings settings;
-    const QString key = QStringLiteral("exportFolder");
     const QString name = QFileInfo(graph.session().document().name()).completeBaseName();
     const QString path = fileToSave(
-        centre.window(), text("Export transitions"),
-        settings.value(key).toString() + QLatin1Char('/') + name + QStringLiteral("-graph.csv"),
-        text("Edges as a table (*.csv);;Graph and model (*.json);;Graph (*.graphml);;Picture "
-             "(*.png);;Picture of lines (*.svg)"));
+        centre.window(), GraphCommands::tr("Export transitions"),
+        startFolder(graph.session().document()) + QLatin1Char('/') + name +
+            QStringLiteral("-graph.csv"),
+        GraphCommands::tr(
+            "Edges as a table (*.csv);;Graph and model (*.json);;Graph (*.graphml);;Picture "
+            "(*.png);;Picture of lines (*.svg)"));
     if (path.isEmpty()) return;
-    settings.setValue(key, QFileInfo(path).absolutePath());
+    rememberFolder(path);
     const QString failure = exportGraph(centre, graph, path);
     if (failure.isEmpty()) {
-        Q_EMIT graph.session().hinted(text("Written: %1").arg(path));
+        Q_EMIT graph.session().hinted(GraphCommands::tr("Written: %1").arg(path));
     } else {
         Q_EMIT graph.session().document().failed(failure);
     }
@@ -45,7 +46,7 @@ void askForExport(GraphCentre& centre, GraphSession& graph) {
 
 void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& centre,
                       const QList<QWidget*>& views) {
-    const QString menu = text("&Graph");
+    const QString menu = GraphCommands::tr("&Graph");
     const QString group = QLatin1Char('-') + menu;
     GraphSession* session = &graph;
     GraphCentre* page = &centre;
@@ -53,13 +54,13 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
     const auto selected = [session] { return !session->selected().empty(); };
     commands.add({"graph.view",
                   menu,
-                  text("&Matrix or graph"),
+                  GraphCommands::tr("&Matrix or graph"),
                   {QKeySequence("V")},
                   [page] { page->showMatrix(!page->showsMatrix()); },
                   any});
     commands.add({"graph.space",
                   menu,
-                  text("Graph in &space"),
+                  GraphCommands::tr("Graph in &space"),
                   {QKeySequence("Shift+V")},
                   [page] {
                       const bool space = page->nodes().options().inSpace;
@@ -70,7 +71,7 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                   [page] { return page->nodes().options().inSpace; }});
     commands.add({"graph.play",
                   group,
-                  text("&Play what is behind it, the next each time"),
+                  GraphCommands::tr("&Play what is behind it, the next each time"),
                   {QKeySequence("Return"), QKeySequence("Enter")},
                   [session] { session->playNext(); },
                   selected,
@@ -79,13 +80,13 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                   views});
     commands.add({"graph.nextSurprise",
                   menu,
-                  text("&Next surprise"),
+                  GraphCommands::tr("&Next surprise"),
                   {QKeySequence("N")},
                   [session] { session->stepSurprise(1); },
                   any});
     commands.add({"graph.previousSurprise",
                   menu,
-                  text("Pre&vious surprise"),
+                  GraphCommands::tr("Pre&vious surprise"),
                   {QKeySequence("Shift+N")},
                   [session] { session->stepSurprise(-1); },
                   any});
@@ -98,9 +99,11 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                       any,
                       [session, kind] { return session->surpriseKind() == kind; }});
     };
-    surprise("graph.surpriseBoth", text("Surprise of bo&th terms"), SurpriseKind::Both);
-    surprise("graph.surpriseLabel", text("Surprise of the label &term"), SurpriseKind::Label);
-    surprise("graph.surpriseGeometry", text("Surprise of the geo&metry term"),
+    surprise("graph.surpriseBoth", GraphCommands::tr("Surprise of bo&th terms"),
+             SurpriseKind::Both);
+    surprise("graph.surpriseLabel", GraphCommands::tr("Surprise of the label &term"),
+             SurpriseKind::Label);
+    surprise("graph.surpriseGeometry", GraphCommands::tr("Surprise of the geo&metry term"),
              SurpriseKind::Geometry);
     const auto rows = [&](const char* id, const QString& title, const char* key, TableRows kind,
                           const QString& where) {
@@ -114,9 +117,10 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                       },
                       any});
     };
-    rows("graph.rowsOwn", text("Rows by &own label"), "1", TableRows::Own, group);
-    rows("graph.rowsOpponent", text("Rows by o&pponent's label"), "2", TableRows::Opponent, menu);
-    rows("graph.rowsBoth", text("Rows by &both labels"), "3", TableRows::Pairs, menu);
+    rows("graph.rowsOwn", GraphCommands::tr("Rows by &own label"), "1", TableRows::Own, group);
+    rows("graph.rowsOpponent", GraphCommands::tr("Rows by o&pponent's label"), "2",
+         TableRows::Opponent, menu);
+    rows("graph.rowsBoth", GraphCommands::tr("Rows by &both labels"), "3", TableRows::Pairs, menu);
     const auto sort = [&](const char* id, const QString& title, MatrixSort how,
                           const QString& where) {
         commands.add({id,
@@ -129,9 +133,10 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                       },
                       any});
     };
-    sort("graph.sortCount", text("Sort by &count"), MatrixSort::Count, group);
-    sort("graph.sortName", text("Sort by n&ame"), MatrixSort::Name, menu);
-    sort("graph.sortLikeness", text("Sort by &likeness"), MatrixSort::Similarity, menu);
+    sort("graph.sortCount", GraphCommands::tr("Sort by &count"), MatrixSort::Count, group);
+    sort("graph.sortName", GraphCommands::tr("Sort by n&ame"), MatrixSort::Name, menu);
+    sort("graph.sortLikeness", GraphCommands::tr("Sort by &likeness"), MatrixSort::Similarity,
+         menu);
     const auto zoom = [&](const char* id, const QString& title, const QList<QKeySequence>& keys,
                           double factor, const QString& where) {
         commands.add(
@@ -144,13 +149,13 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
              },
              any});
     };
-    zoom("graph.larger", text("Lar&ger cells"), {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")},
-         1.25, group);
-    zoom("graph.smaller", text("&Smaller cells"), {QKeySequence("Ctrl+-")}, 0.8, menu);
-    zoom("graph.fit", text("Show &everything"), {QKeySequence("Ctrl+0")}, 0, menu);
+    zoom("graph.larger", GraphCommands::tr("Lar&ger cells"),
+         {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}, 1.25, group);
+    zoom("graph.smaller", GraphCommands::tr("&Smaller cells"), {QKeySequence("Ctrl+-")}, 0.8, menu);
+    zoom("graph.fit", GraphCommands::tr("Show &everything"), {QKeySequence("Ctrl+0")}, 0, menu);
     commands.add({"graph.export",
                   group,
-                  text("E&xport transitions…"),
+                  GraphCommands::tr("E&xport transitions…"),
                   {QKeySequence("Ctrl+Shift+E")},
                   [page, session] { askForExport(*page, *session); },
                   any});

@@ -18,9 +18,10 @@ namespace kumite::studio {
 
 namespace {
 
-QString text(const char* source) {
-    return QCoreApplication::translate("kumite::studio::GraphExport", source);
-}
+/// Translations of this file.
+struct GraphExport {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::GraphExport)
+};
 
 bool writePng(GraphCentre& centre, const QString& path) {
     if (!centre.showsMatrix()) return centre.nodes().view().picture().save(path, "PNG");
@@ -40,7 +41,7 @@ bool writeSvg(GraphCentre& centre, const QString& path) {
     generator.setFileName(path);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
-    generator.setTitle(text("Transitions"));
+    generator.setTitle(GraphExport::tr("Transitions"));
     QPainter painter;
     if (!painter.begin(&generator)) return false;
     if (centre.showsMatrix()) {
@@ -69,9 +70,10 @@ QString exportGraph(GraphCentre& centre, const GraphSession& graph, const QStrin
             return QString::fromUtf8(error.what());
         }
     } else {
-        return text("%1: the name must end in .csv, .json, .graphml, .png or .svg.").arg(path);
+        return GraphExport::tr("%1: the name must end in .csv, .json, .graphml, .png or .svg.")
+            .arg(path);
     }
-    return written ? QString() : text("%1: it cannot be written there.").arg(path);
+    return written ? QString() : GraphExport::tr("%1: it cannot be written there.").arg(path);
 }
 
 }  // namespace kumite::studio

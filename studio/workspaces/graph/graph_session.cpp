@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/core_words.h"
 #include "studio/app/words.h"
 
 namespace kumite::studio {
@@ -108,7 +109,7 @@ QString shortLabelWords(const Vocabulary& vocabulary, const Label& label) {
         if (!aspect.fallback) {
             words.append(id);
         } else {
-            words.append(QString::fromStdString(aspect.name).toLower() + QLatin1Char(' ') + id);
+            words.append(vocabularyInText(aspect.name) + QLatin1Char(' ') + id);
         }
     }
     return words.isEmpty() ? GraphSession::tr("others") : words.join(QStringLiteral(", "));
@@ -123,12 +124,11 @@ QString surpriseWords(const Surprise& surprise) {
     const auto p = [](double nats) {
         const double value = std::exp(-nats);
         return value < 0.0005 ? GraphSession::tr("P <0.001")
-                              : GraphSession::tr("P %1").arg(QString::number(value, 'f', 3));
+                              : GraphSession::tr("P %1").arg(numberText(value, 3));
     };
     return GraphSession::tr("surprise %1 (%2 seen the motion): label %3 (%4), geometry %5")
-        .arg(QString::number(surprise.both, 'f', 1), p(surprise.both),
-             QString::number(surprise.label, 'f', 1), p(surprise.label),
-             QString::asprintf("%+.1f", surprise.geometry));
+        .arg(numberText(surprise.both, 1), p(surprise.both), numberText(surprise.label, 1),
+             p(surprise.label), QString::asprintf("%+.1f", surprise.geometry));
 }
 
 Project withHandLabels(const Project& project) {
@@ -312,7 +312,8 @@ TransitionPlace GraphSession::placeOf(const TransitionRef& transition) const {
     return kumite::placeOf(graph(), transition.mover, transitionOf(transition));
 }
 
-void GraphSession::play(const TransitionRef& transition) {
+/// The timeline is led to both actions of a transition, in a loop: Space plays them.
+void GraphSession::show(const TransitionRef& transition) {
     const Transition& t = transitionOf(transition);
     const BasicAction& own = graph().action(transition.mover, t.own);
     const BasicAction& next = graph().action(transition.mover, t.next);
@@ -322,12 +323,20 @@ void GraphSession::play(const TransitionRef& transition) {
     session_.selectAction(ActionRef{transition.mover, next.frames.peak});
     transport.setLoop(own.beginSeconds, next.endSeconds);
     transport.setLooping(true);
-    transport.setPlayhead(own.beginSeconds);
-    const double air = 0.5 * (next.endSeconds - own.beginSeconds);
-    session_.setVisible({own.beginSeconds - air, next.endSeconds + air});
+    setCurrent(transition);
+}
+
+void GraphSession::play(const TransitionRef& transition) {
+    show(transition);
+    const Transition& t = transitionOf(transition);
+    const double begin = graph().action(transition.mover, t.own).beginSeconds;
+    const double end = graph().action(transition.mover, t.next).endSeconds;
+    Transport& transport = session_.transport();
+    transport.setPlayhead(begin);
+    const double air = 0.5 * (end - begin);
+    session_.setVisible({begin - air, end + air});
     if (transport.speed() <= 0) transport.setSpeed(1);
     transport.setPlaying(true);
-    setCurrent(transition);
 }
 
 void GraphSession::playNext() {
@@ -342,14 +351,12 @@ void GraphSession::playNext() {
 
 void GraphSession::goTo(const TransitionRef& transition) {
     const Transition& t = transitionOf(transition);
-    const TransitionPlace place = placeOf(transition);
     select(GraphSelection{transition.mover, {t.ownNode, t.opponentNode, t.nextNode}});
-    setCurrent(transition);
-    if (place.take != session_.take()) session_.setTake(place.take);
-    session_.setActivePlayer(transition.mover);
     session_.transport().setPlaying(false);
-    session_.transport().setPlayhead(place.seconds);
-    session_.reveal(place.seconds);
+    show(transition);
+    const double seconds = placeOf(transition).seconds;
+    session_.transport().setPlayhead(seconds);
+    session_.reveal(seconds);
 }
 
 std::vector<TransitionRef> GraphSession::bySurprise() const {
@@ -372,10 +379,13 @@ void GraphSession::stepSurprise(int direction) {
     const std::vector<TransitionRef> order = bySurprise();
     if (order.empty()) return;
     const auto count = static_cast<std::ptrdiff_t>(order.size());
-    const auto found = current_ ? std::find(order.begin(), order.end(), *current_) : order.end();
+    // From elsewhere the first step leads to the greatest, the first step back to the smallest.
+    const bool walking = current_ && current_ == steppedTo_;
+    const auto found = walking ? std::find(order.begin(), order.end(), *current_) : order.end();
     std::ptrdiff_t next = direction > 0 ? 0 : count - 1;
     if (found != order.end()) next = (found - order.begin() + direction + count) % count;
     goTo(order[static_cast<std::size_t>(next)]);
+    steppedTo_ = current_;
 }
 
 }  // namespace kumite::studio

@@ -161,6 +161,7 @@ Q_SIGNALS:
     void momentChanged();
 
 private:
+    void show(const TransitionRef& transition);
     void learn();
     void take(GraphValues values);
     void followPlayhead();
@@ -176,6 +177,7 @@ private:
     std::optional<GraphSelection> selection_;
     std::vector<int> selected_;
     std::optional<TransitionRef> current_;
+    std::optional<TransitionRef> steppedTo_;  ///< the surprise that the last step led to
     std::array<GraphMoment, 2> moments_;
     bool active_ = false;
     bool stale_ = true;  ///< the document changed since the values were learnt

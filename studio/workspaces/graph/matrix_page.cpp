@@ -19,8 +19,8 @@ namespace kumite::studio {
 
 namespace {
 
-QString numberText(double p) {
-    return QString::number(p, 'f', p < 0.0995 ? 3 : 2);
+QString chanceText(double p) {
+    return numberText(p, p < 0.0995 ? 3 : 2);
 }
 
 }  // namespace
@@ -328,9 +328,8 @@ void MatrixPage::tell(int number, const std::optional<MatrixPlace>& place) {
     QString text;
     if (place->isCell()) {
         const double value = table.values(place->row, place->column);
-        const QString shown = table.isDifference
-                                  ? tr("difference %1").arg(QString::number(value, 'f', 3))
-                                  : tr("P %1").arg(numberText(value));
+        const QString shown = table.isDifference ? tr("difference %1").arg(numberText(value, 3))
+                                                 : tr("P %1").arg(chanceText(value));
         text = tr("%1 → %2   ·   %3   ·   seen %4 of %5 times")
                    .arg(line(table.rows, place->row).name, line(table.columns, place->column).name,
                         shown)

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "studio/app/theme.h"
+#include "studio/app/words.h"
 
 namespace kumite::studio {
 
@@ -16,7 +17,7 @@ constexpr double kLineCell = 10;    ///< from this on they stand apart
 
 QString cellText(double value, bool difference) {
     if (std::abs(value) < 0.005) return {};
-    QString text = QString::number(std::abs(value), 'f', 2);
+    QString text = numberText(std::abs(value), 2);
     if (text.startsWith(QLatin1Char('0'))) text.remove(0, 1);
     if (!difference) return text;
     return (value < 0 ? QStringLiteral("−") : QStringLiteral("+")) + text;

@@ -120,7 +120,7 @@ void NodePage::setInSpace(bool inSpace) {
 
 void NodePage::showNumbers() {
     const QString sign = graph_.compares() && options_.difference ? tr("ΔP ≥ %1") : tr("P ≥ %1");
-    leastText_->setText(sign.arg(QString::number(options_.least, 'f', 3)));
+    leastText_->setText(sign.arg(numberText(options_.least, 3)));
     mostText_->setText(tr("%1 a node").arg(options_.most));
 }
 
@@ -186,7 +186,7 @@ void NodePage::tell(const std::optional<GraphPick>& pick) {
                         nameOf(side, cross ? 1 - mover : mover, from),
                         nameOf(side, mover, meaning.filter.next),
                         options_.difference && graph_.compares() ? tr("more often by") : tr("P"),
-                        QString::number(probability, 'f', 3))
+                        numberText(probability, 3))
                    .arg(transitionsBehind(where.graph(), mover, meaning.filter).size());
     }
     Q_EMIT graph_.session().hovered(text);

@@ -202,7 +202,7 @@ void SurpriseStrip::paintStill(QPainter& painter) const {
                              Qt::AlignLeft | Qt::AlignVCenter, tr("surprise"));
         }
         painter.drawText(QRectF(row.left() - 40, row.top() - 2, 35, row.height() + 4),
-                         Qt::AlignRight | Qt::AlignVCenter, QString::number(top_, 'f', 1));
+                         Qt::AlignRight | Qt::AlignVCenter, numberText(top_, 1));
         painter.setPen(c.line);
         painter.drawLine(QPointF(row.left(), row.bottom()), row.bottomRight());
         const double odd = odd_[static_cast<std::size_t>(mover)];

@@ -48,8 +48,7 @@ QVariant TraceModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole: {
             const TransitionPlace place = graph_.placeOf(ref);
             if (index.column() == TimeColumn) return timeText(place.seconds, 0.01);
-            if (index.column() == SurpriseColumn)
-                return QString::number(graph_.shownSurprise(ref), 'f', 1);
+            if (index.column() == SurpriseColumn) return numberText(graph_.shownSurprise(ref), 1);
             return words();
         }
         case Qt::TextAlignmentRole:

@@ -4,6 +4,7 @@
 
 #include "studio/app/candidate_row.h"
 #include "studio/app/theme.h"
+#include "studio/app/words.h"
 
 namespace kumite::studio {
 
@@ -39,10 +40,9 @@ QVariant WhatIfModel::data(const QModelIndex& index, int role) const {
     const QString name = graph_.nameOf(mover_, row.node);
     if (role == Qt::DisplayRole) return name;
     if (role != Qt::ToolTipRole && role != Qt::AccessibleTextRole) return {};
-    QString text =
-        tr("%1: P %2, label term %3")
-            .arg(name, QString::number(row.product, 'f', 3), QString::number(row.label, 'f', 3));
-    if (geometry_) text += tr(", geometry term %1").arg(QString::number(row.geometry, 'f', 3));
+    QString text = tr("%1: P %2, label term %3")
+                       .arg(name, numberText(row.product, 3), numberText(row.label, 3));
+    if (geometry_) text += tr(", geometry term %1").arg(numberText(row.geometry, 3));
     text += tr("\nSeen %1 times with both labels, %2 with the own, %3 with the opponent's")
                 .arg(row.examples)
                 .arg(row.ownExamples)

@@ -14,12 +14,20 @@
 namespace kumite::studio {
 
 HitBox::HitBox(HitSession& hit, QWidget* parent)
-    : QWidget(parent), hit_(hit), strike_(new QComboBox(this)), text_(new QLabel(this)) {
+    : QWidget(parent),
+      hit_(hit),
+      strike_(new QComboBox(this)),
+      aim_(new QComboBox(this)),
+      distance_(new QDoubleSpinBox(this)),
+      text_(new QLabel(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addWidget(headingLabel(tr("Hit a target"), this));
-    auto* about = new QLabel(tr("Drag the target in the 3D view: the strike follows it."), this);
+    auto* about =
+        new QLabel(tr("Drag the target in the 3D view: the strike follows it. Dots: where "
+                      "whole examples hit; the box: what is reached."),
+                   this);
     about->setWordWrap(true);
     about->setProperty("role", "second");
     layout->addWidget(about);
@@ -32,6 +40,24 @@ HitBox::HitBox(HitSession& hit, QWidget* parent)
     strike_->setMinimumContentsLength(8);
     strike_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     form->addRow(tr("Strike"), strike_);
+    aim_->addItem(tr("a place"), -1);
+    for (const Role role : HitSession::aims())
+        aim_->addItem(QString::fromStdString(std::string(roleName(role)))
+                          .replace(QLatin1Char('_'), QLatin1Char(' ')),
+                      static_cast<int>(role));
+    aim_->setAccessibleName(tr("Aim at"));
+    aim_->setToolTip(
+        tr("A place in space, or the opponent as the recording's playhead shows it; "
+           "a click on its marks in the 3D view aims there"));
+    form->addRow(tr("Aim at"), aim_);
+    distance_->setRange(0.2, 3);
+    distance_->setDecimals(2);
+    distance_->setSingleStep(0.05);
+    distance_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    distance_->setKeyboardTracking(false);
+    distance_->setAccessibleName(tr("Distance of the opponent, metres"));
+    distance_->setToolTip(tr("How far ahead the opponent stands, from pelvis to pelvis"));
+    form->addRow(tr("Away, m"), distance_);
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
     const QString axes[] = {tr("to the left"), tr("up"), tr("ahead")};
@@ -63,6 +89,11 @@ HitBox::HitBox(HitSession& hit, QWidget* parent)
     connect(strike_, &QComboBox::activated, this, [this](int index) {
         hit_.setStrike(strike_->itemData(index).toString().toStdString());
     });
+    connect(aim_, &QComboBox::activated, this, [this](int index) {
+        const int role = aim_->itemData(index).toInt();
+        hit_.setAim(role < 0 ? std::nullopt : std::optional(static_cast<Role>(role)));
+    });
+    connect(distance_, &QDoubleSpinBox::valueChanged, &hit_, &HitSession::setDistance);
     connect(&hit_, &HitSession::changed, this, &HitBox::refresh);
     refresh();
 }
@@ -73,6 +104,10 @@ void HitBox::refresh() {
     for (const std::string& strike : hit_.strikes())
         strike_->addItem(hit_.nameOf(strike), QString::fromStdString(strike));
     strike_->setCurrentIndex(strike_->findData(QString::fromStdString(hit_.strike())));
+    aim_->setCurrentIndex(aim_->findData(hit_.aim() ? static_cast<int>(*hit_.aim()) : -1));
+    const QSignalBlocker calm(distance_);
+    distance_->setValue(hit_.distance());
+    distance_->setEnabled(hit_.aim().has_value());
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const QSignalBlocker still(place_[axis]);
         place_[axis]->setEnabled(hit_.space() != nullptr);

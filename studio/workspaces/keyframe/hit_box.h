@@ -24,6 +24,8 @@ private:
 
     HitSession& hit_;
     QComboBox* strike_;
+    QComboBox* aim_;
+    QDoubleSpinBox* distance_;
     std::array<QDoubleSpinBox*, 3> place_;
     QLabel* text_;
 };

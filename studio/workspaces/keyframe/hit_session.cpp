@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <numbers>
+#include <utility>
 
-#include "core/labelling/label.h"
+#include "core/editing/pose_handles.h"
 #include "core/motion/blend.h"
 #include "core/project/library_strikes.h"
 #include "studio/workspaces/keyframe/key_session.h"
@@ -19,8 +21,14 @@ HitSession::HitSession(KeySession& keys, QObject* parent) : QObject(parent), key
     timer_.setInterval(kTick);
     connect(&timer_, &QTimer::timeout, this, &HitSession::advance);
     connect(&keys_, &KeySession::libraryChanged, this, &HitSession::takeLibrary);
-    connect(&keys_, &KeySession::stateChanged, this, [this] {
-        if (!keys_.isActive()) setPlaying(false);
+    connect(&keys_, &KeySession::stateChanged, this, [this, active = false]() mutable {
+        if (active == keys_.isActive()) return;
+        active = keys_.isActive();
+        if (!active) setPlaying(false);
+        if (active && !strikes_.empty()) readDraft();
+    });
+    connect(&keys_.session().document(), &Document::changed, this, [this] {
+        if (keys_.isActive() && !strikes_.empty() && !dragging_) readDraft();
     });
     connect(&jobs_, &JobRunner::failed, this, &HitSession::failed);
     connect(&jobs_, &JobRunner::started, this, &HitSession::changed);
@@ -32,8 +40,11 @@ void HitSession::setOn(bool on) {
     on_ = on;
     if (on_) {
         keys_.setPlaying(false);
-        if (strikes_.empty()) takeLibrary();
-        if (ready_ == nullptr) prepare();
+        if (strikes_.empty()) {
+            takeLibrary();
+        } else if (ready_ == nullptr) {
+            prepare();
+        }
     } else {
         setPlaying(false);
     }
@@ -55,36 +66,114 @@ void HitSession::takeLibrary() {
     strikes_.clear();
     const auto library = keys_.motions();
     if (library != nullptr) {
-        const Vocabulary& vocabulary = *keys_.session().document().project().labelling.vocabulary;
-        for (const Aspect& aspect : vocabulary.aspects) {
-            const bool has = std::any_of(
-                library->actions.begin(), library->actions.end(), [&](const LibraryAction& action) {
-                    return action.label.find(aspect.id + ":") != std::string::npos;
-                });
-            if (!aspect.strike.empty() && has) strikes_.push_back(aspect.id);
-        }
+        strikes_ = strikesIn(*library, *keys_.session().document().project().labelling.vocabulary);
         if (strikes_.empty()) {
             for (const LibraryMotion& motion : library->motions)
                 strikes_.push_back(motion.name);
         }
     }
-    if (std::find(strikes_.begin(), strikes_.end(), strike_) == strikes_.end()) {
-        strike_ = strikes_.empty() ? std::string() : strikes_.front();
-        aimed_ = false;
-    }
-    if (on_) prepare();
+    strike_.clear();
+    readDraft();
     Q_EMIT changed();
+}
+
+void HitSession::readDraft() {
+    try {
+        draft_ = hitDraftOf(keys_.session().document().project());
+    } catch (const std::exception& error) {
+        draft_ = {};
+        Q_EMIT failed(QString::fromUtf8(error.what()));
+    }
+    placeOpponent();
+    const bool isKnown =
+        std::find(strikes_.begin(), strikes_.end(), draft_.strike) != strikes_.end();
+    const std::string strike = isKnown            ? draft_.strike
+                               : strikes_.empty() ? std::string()
+                                                  : strikes_.front();
+    if (strike != strike_) {
+        strike_ = strike;
+        ready_.reset();
+        motion_.reset();
+        if (on_) prepare();
+    } else if (ready_ != nullptr && target_ != wantedTarget()) {
+        target_ = wantedTarget();
+        setPlaying(false);
+        solve();
+    }
+    Q_EMIT changed();
+    show();
+}
+
+std::span<const Role> HitSession::aims() {
+    static constexpr Role kAims[] = {Role::Head,      Role::Neck,         Role::Chest,
+                                     Role::Pelvis,    Role::LeftShoulder, Role::RightShoulder,
+                                     Role::LeftElbow, Role::RightElbow,   Role::LeftHip,
+                                     Role::RightHip,  Role::LeftKnee,     Role::RightKnee};
+    return kAims;
+}
+
+/// Facing the striker at the distance; in the pose that the recording's playhead shows of the other
+/// player, of the only one where there is none.
+void HitSession::placeOpponent() {
+    opponent_.reset();
+    const auto library = keys_.motions();
+    if (!draft_.aim || library == nullptr || library->motions.empty()) return;
+    const Session& session = keys_.session();
+    const LibraryMotion* source = &library->motions.front();
+    int player = 0;
+    for (const LibraryMotion& motion : library->motions) {
+        if (motion.take != session.take()) continue;
+        source = &motion;
+        player = motion.player;
+        if (player != session.activePlayer()) break;
+    }
+    const bool isShown = source->take >= 0 && session.fighter(player) != nullptr;
+    const double seconds = isShown ? session.shownFrame(player) / source->sourceRate : 0.0;
+    Pose pose = poseAt(source->clip, std::min(seconds, source->clip.seconds()));
+    const double turn =
+        std::numbers::pi - headingOf(*library->rig, pose).value_or(std::numbers::pi);
+    pose.turns[0] = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY()) * pose.turns[0];
+    const auto pelvis = handlePoint(*library->rig, pose, Handle::Hips);
+    if (!pelvis) return;
+    pose.root += Eigen::Vector3d(-pelvis->x(), 0, draft_.distance - pelvis->z());
+    opponent_ = std::move(pose);
+}
+
+void HitSession::setAim(std::optional<Role> aim) {
+    HitDraft draft = draft_;
+    draft.strike = strike_;
+    if (!aim && ready_ != nullptr) draft.target = target_;
+    draft.aim = aim;
+    change(aim ? tr("Aim at the opponent") : tr("Aim at a place"), draft);
+}
+
+void HitSession::setDistance(double metres) {
+    HitDraft draft = draft_;
+    draft.distance = metres;
+    change(tr("Opponent %1 m away").arg(metres, 0, 'f', 2), draft);
+}
+
+Eigen::Vector3d HitSession::wantedTarget() const {
+    const StrikeSpace& space = ready_->space;
+    const auto joint = opponent_ && draft_.aim ? space.rig->roles[*draft_.aim] : std::nullopt;
+    if (joint) {
+        JointFrames frames;
+        jointFrames(*space.rig, *opponent_, frames);
+        return frames.positions[static_cast<std::size_t>(*joint)];
+    }
+    return draft_.target.value_or(space.examples[static_cast<std::size_t>(space.reference)].point);
+}
+
+void HitSession::change(const QString& edit, const HitDraft& draft) {
+    keys_.session().document().apply(Document::ProjectEdit(
+        [&](const Project& project) { return setHitDraft(project, draft, edit.toStdString()); }));
 }
 
 void HitSession::setStrike(const std::string& strike) {
     if (strike == strike_) return;
-    strike_ = strike;
-    aimed_ = false;
-    ready_.reset();
-    motion_.reset();
-    prepare();
-    Q_EMIT changed();
-    show();
+    HitDraft draft;
+    draft.strike = strike;
+    change(tr("Strike with %1").arg(nameOf(strike)), draft);
 }
 
 void HitSession::prepare() {
@@ -117,11 +206,7 @@ void HitSession::prepare() {
             ready_ = std::move(result.ready);
             problem_ = result.problem;
             if (ready_ != nullptr) {
-                const auto& space = ready_->space;
-                // An edit of the project brings another library: the target stays.
-                if (!aimed_)
-                    target_ = space.examples[static_cast<std::size_t>(space.reference)].point;
-                aimed_ = true;
+                target_ = wantedTarget();
                 solve();
             }
             Q_EMIT changed();
@@ -130,9 +215,33 @@ void HitSession::prepare() {
 }
 
 void HitSession::setTarget(const Eigen::Vector3d& target) {
+    drag(target);
+    release();
+}
+
+void HitSession::drag(const Eigen::Vector3d& target) {
+    if (ready_ == nullptr) return;
+    dragging_ = true;
     target_ = target;
     target_.y() = std::clamp(target_.y(), 0.0, 2.5);
     setPlaying(false);
+    solve();
+    Q_EMIT changed();
+    show();
+}
+
+void HitSession::release() {
+    if (!std::exchange(dragging_, false)) return;
+    HitDraft draft = draft_;
+    draft.strike = strike_;
+    draft.target = target_;
+    draft.aim.reset();
+    change(tr("Move the target"), draft);
+}
+
+void HitSession::cancelDrag() {
+    if (!std::exchange(dragging_, false) || ready_ == nullptr) return;
+    target_ = wantedTarget();
     solve();
     Q_EMIT changed();
     show();
@@ -165,6 +274,13 @@ void HitSession::setPlaying(bool playing) {
         if (motion_) seconds_ = motion_->hit / motion_->clip.rate;
     }
     Q_EMIT changed();
+    show();
+}
+
+void HitSession::seek(double seconds) {
+    if (!motion_) return;
+    setPlaying(false);
+    seconds_ = std::clamp(seconds, 0.0, motion_->clip.seconds());
     show();
 }
 

@@ -7,10 +7,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "core/editing/hit_region.h"
+#include "core/project/hit_draft.h"
 #include "studio/jobs/job_runner.h"
 #include "studio/workspaces/made_motion.h"
 
@@ -19,7 +21,8 @@ namespace kumite::studio {
 class KeySession;
 
 /// The hit tool of the Keyframe workspace: a strike of the library that is made to hit a target,
-/// live while the target is dragged. The space of a strike is made beside the window.
+/// live while the target is dragged. Strike and target are the project's draft: every change of
+/// them is a step of the history. The space of a strike is made beside the window.
 class HitSession : public QObject {
     Q_OBJECT
 
@@ -34,6 +37,7 @@ public:
     const std::vector<std::string>& strikes() const { return strikes_; }
     QString nameOf(const std::string& strike) const;
     const std::string& strike() const { return strike_; }
+    /// It hits where its examples do, until a hand draws the target elsewhere.
     void setStrike(const std::string& strike);
     /// Why there is nothing to strike with; else empty.
     QString problem() const { return problem_; }
@@ -44,11 +48,28 @@ public:
     /// In the striker's frame, metres.
     const Eigen::Vector3d& target() const { return target_; }
     void setTarget(const Eigen::Vector3d& target);
+    /// Draws the target there; `release` makes it a step of the history, `cancelDrag` takes it
+    /// back.
+    void drag(const Eigen::Vector3d& target);
+    void release();
+    void cancelDrag();
+    /// What the opponent can be hit at.
+    static std::span<const Role> aims();
+    std::optional<Role> aim() const { return draft_.aim; }
+    /// Aims at a joint of the opponent, who stands as the recording's playhead shows it; nothing:
+    /// at the place where the target is.
+    void setAim(std::optional<Role> aim);
+    double distance() const { return draft_.distance; }
+    void setDistance(double metres);
+    /// The opponent in the striker's frame; null while nothing of it is aimed at.
+    const Pose* opponent() const { return opponent_ ? &*opponent_ : nullptr; }
     const std::optional<HitMotion>& motion() const { return motion_; }
     MadeMotion madeMotion() const;
 
     /// The shown pose; null where there is none.
     const Pose* pose() const { return shown_ ? &*shown_ : nullptr; }
+    double seconds() const { return seconds_; }  ///< of the motion, shown now
+    void seek(double seconds);
     bool isPlaying() const { return timer_.isActive(); }
     void setPlaying(bool playing);
 
@@ -64,6 +85,10 @@ private:
     };
 
     void takeLibrary();
+    void readDraft();
+    Eigen::Vector3d wantedTarget() const;
+    void placeOpponent();
+    void change(const QString& edit, const HitDraft& draft);
     void prepare();
     void solve();
     void advance();
@@ -71,7 +96,9 @@ private:
 
     KeySession& keys_;
     JobRunner jobs_;
-    bool aimed_ = false;  ///< the target is for this strike: another library leaves it
+    HitDraft draft_;
+    bool dragging_ = false;
+    std::optional<Pose> opponent_;
     QTimer timer_;
     QElapsedTimer clock_;
     bool on_ = false;

@@ -7,6 +7,7 @@ class QLabel;
 namespace kumite::studio {
 
 class CommandTable;
+class HitSession;
 class KeySession;
 
 /// Buttons and the clock of what the Keyframe workspace plays.
@@ -14,12 +15,13 @@ class KeyBar : public QWidget {
     Q_OBJECT
 
 public:
-    KeyBar(KeySession& keys, CommandTable& commands, QWidget* parent = nullptr);
+    KeyBar(KeySession& keys, HitSession& hit, CommandTable& commands, QWidget* parent = nullptr);
 
 private:
     void refresh();
 
     KeySession& keys_;
+    HitSession& hit_;
     QLabel* time_;
     QLabel* what_;
 };

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -11,6 +12,7 @@
 #include "studio/app/commands.h"
 #include "studio/workspaces/keyframe/hit_box.h"
 #include "studio/workspaces/keyframe/hit_session.h"
+#include "studio/workspaces/keyframe/joint_box.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/motion_box.h"
 #include "studio/workspaces/keyframe/pose_box.h"
@@ -22,6 +24,7 @@ KeyPanel::KeyPanel(KeySession& keys, HitSession& hit, QWidget* parent)
       keys_(keys),
       hit_(hit),
       tools_(new QStackedWidget(this)),
+      pages_(new QTabWidget(tools_)),
       buttons_(new QHBoxLayout),
       empty_(new QWidget(this)),
       full_(new QWidget(this)),
@@ -37,13 +40,17 @@ KeyPanel::KeyPanel(KeySession& keys, HitSession& hit, QWidget* parent)
     auto* layout = new QVBoxLayout(full_);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(10);
-    auto* made = new QWidget(tools_);
-    auto* parts = new QVBoxLayout(made);
-    parts->setContentsMargins(0, 0, 0, 0);
+    pages_->setDocumentMode(true);
+    auto* pose = new QWidget(pages_);
+    auto* parts = new QVBoxLayout(pose);
+    parts->setContentsMargins(0, 8, 0, 0);
     parts->setSpacing(10);
-    parts->addWidget(new PoseBox(keys_, made));
-    parts->addWidget(new MotionBox(keys_, made), 1);
-    tools_->addWidget(made);
+    parts->addWidget(new PoseBox(keys_, pose));
+    parts->addWidget(new JointBox(keys_, pose));
+    parts->addStretch(1);
+    pages_->addTab(pose, tr("Key pose"));
+    pages_->addTab(new MotionBox(keys_, pages_), tr("Motion"));
+    tools_->addWidget(pages_);
     tools_->addWidget(new HitBox(hit_, tools_));
     layout->addWidget(tools_, 1);
     buttons_->setSpacing(4);
@@ -69,6 +76,20 @@ void KeyPanel::addCommands(CommandTable& commands) {
         tool->setText(hit_.isOn() ? tr("Back to the keys") : tr("Hit a target"));
     });
     static_cast<QVBoxLayout*>(full_->layout())->insertWidget(0, tool);
+    const QString menu = commands.find(QStringLiteral("keys.hit"))->menu;
+    const std::pair<const char*, QString> pages[] = {{"keys.page.pose", tr("Show the key &pose")},
+                                                     {"keys.page.motion", tr("Show the m&otion")}};
+    for (int page = 0; page < 2; ++page) {
+        const auto& [id, text] = pages[page];
+        commands.add({QLatin1String(id),
+                      (page == 0 ? QStringLiteral("-") : QString()) + menu,
+                      text,
+                      {QKeySequence(Qt::Key_1 + page)},
+                      [this, page] { pages_->setCurrentIndex(page); },
+                      [this] { return keys_.library() != nullptr && !hit_.isOn(); },
+                      [this, page] { return pages_->currentIndex() == page; }});
+    }
+    connect(pages_, &QTabWidget::currentChanged, &commands, &CommandTable::refresh);
     const std::pair<const char*, QString> all[] = {
         {"keys.clips", tr("Clips…")}, {"keys.keep", tr("Keep…")}, {"keys.export", tr("Export…")}};
     for (const auto& [id, text] : all) {

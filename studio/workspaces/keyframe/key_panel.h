@@ -6,6 +6,7 @@
 
 class QHBoxLayout;
 class QLabel;
+class QTabWidget;
 
 namespace kumite::studio {
 
@@ -33,6 +34,7 @@ private:
     KeySession& keys_;
     HitSession& hit_;
     QStackedWidget* tools_;  ///< keys, or the hit tool
+    QTabWidget* pages_;      ///< of the keys
     QHBoxLayout* buttons_;
     QWidget* empty_;
     QWidget* full_;

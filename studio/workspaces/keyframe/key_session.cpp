@@ -104,7 +104,8 @@ MadeMotion KeySession::madeMotion() const {
 
 void KeySession::follow() {
     if (!active_) return;
-    if (library() != nullptr) readDraft();
+    // Of another project the draft waits for its library, which may name its motions otherwise.
+    if (library() != nullptr && isOfProject()) readDraft();
     due_.start();
 }
 
@@ -125,16 +126,21 @@ void KeySession::readDraft() {
     }
     dragged_.reset();
     if (key_ && !draft_.track.find(*key_)) key_.reset();
+    if (joint_ && *joint_ >= draft_.track.rig->jointCount()) joint_.reset();
     Q_EMIT draftChanged();
     Q_EMIT chosen();
     make();
     show();
 }
 
+bool KeySession::isOfProject() const {
+    return source_ && source_->made == withoutDrafts(session_.document().project());
+}
+
 void KeySession::prepare() {
     const Document& document = session_.document();
     if (!active_ || !document.isOpen() || !document.isCurrent()) return;
-    if (source_ && source_->made == withoutDrafts(document.project())) {
+    if (isOfProject()) {
         if (library() != nullptr) readDraft();
         return;
     }
@@ -179,7 +185,16 @@ void KeySession::make() {
                 motion->plan =
                     planAssembly(*library, draft.track, choicesOf(*library->library, draft),
                                  progress.part(0.4, 0.8));
+                for (const BodyPart part : allParts()) {
+                    progress.update(0.8 + 0.03 * static_cast<double>(part));
+                    motion->foundOfPart[static_cast<std::size_t>(part)] =
+                        findSimilar(*library, draft.track, part, settings);
+                }
                 motion->assembly = assemble(*library, draft.track, motion->plan, draft.assembly);
+                AssemblySettings plain = draft.assembly;
+                plain.adjusted = false;
+                plain.meetKeys = 0;
+                motion->direct = assemble(*library, draft.track, motion->plan, plain);
                 made.motion = std::move(motion);
             } catch (const Cancelled&) {
                 throw;
@@ -198,125 +213,11 @@ void KeySession::make() {
         });
 }
 
-bool KeySession::attempt(const std::function<void()>& act) {
-    try {
-        act();
-        return true;
-    } catch (const std::exception& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
-        return false;
-    }
-}
-
-void KeySession::change(const QString& edit, const std::function<void(KeyDraft&)>& act) {
-    if (library() == nullptr) return;
-    KeyDraft draft = draft_;
-    if (!attempt([&] { act(draft); })) return;
-    session_.document().apply(Document::ProjectEdit(
-        [&](const Project& project) { return setKeyDraft(project, draft, edit.toStdString()); }));
-}
-
-std::optional<Pose> KeySession::poseOfTake() const {
-    const FighterAnalysis* fighter = session_.fighter(session_.activePlayer());
-    if (fighter == nullptr || motions() == nullptr) return std::nullopt;
-    const std::string name =
-        session_.document().project().takes[static_cast<std::size_t>(session_.take())].name + ":" +
-        std::to_string(session_.activePlayer() + 1);
-    for (const LibraryMotion& motion : motions()->motions) {
-        if (motion.name != name) continue;
-        const double seconds = session_.shownFrame(session_.activePlayer()) / motion.sourceRate;
-        return poseAt(motion.clip, std::min(seconds, motion.clip.seconds()));
-    }
-    return std::nullopt;
-}
-
-void KeySession::addKey() {
-    if (library() == nullptr) return;
-    const int frame = std::max(0, static_cast<int>(std::lround(frame_)));
-    Pose pose;
-    if (!draft_.track.keys.empty()) {
-        pose = poseAt(draft_.track, frame);
-    } else if (const auto recorded = poseOfTake()) {
-        pose = *recorded;
-        // Near the origin, where the next keys are made.
-        pose.root.x() = pose.root.z() = 0;
-    } else if (!motions()->motions.empty()) {
-        pose = motions()->motions.front().clip.frames.front();
-        pose.root.x() = pose.root.z() = 0;
-    }
-    change(tr("Add a key at frame %1").arg(frame), [&](KeyDraft& draft) {
-        draft.track = withKey(std::move(draft.track), {frame, pose, Easing::Smooth});
-    });
-    choose(frame);
-}
-
-void KeySession::takePose() {
-    const auto recorded = poseOfTake();
-    if (!key_ || !recorded) return;
-    change(tr("Take the pose of the recording"), [&](KeyDraft& draft) {
-        const std::size_t index = static_cast<std::size_t>(*draft.track.find(*key_));
-        KeyPose& key = draft.track.keys[index];
-        const Eigen::Vector3d place = key.pose.root;
-        key.pose = *recorded;
-        key.pose.root.x() = place.x();
-        key.pose.root.z() = place.z();
-    });
-}
-
-void KeySession::removeKey() {
-    if (!key_) return;
-    const int frame = *key_;
-    change(tr("Remove the key at frame %1").arg(frame),
-           [&](KeyDraft& draft) { draft.track = withoutKey(std::move(draft.track), frame); });
-}
-
-void KeySession::moveKey(int from, int to) {
-    if (from == to || to < 0) return;
-    if (draft_.track.find(to)) {
-        Q_EMIT session_.hinted(tr("A key stands at frame %1 already.").arg(to));
-        return;
-    }
-    change(tr("Move the key to frame %1").arg(to),
-           [&](KeyDraft& draft) { draft.track = withMovedKey(std::move(draft.track), from, to); });
-    choose(to);
-}
-
-void KeySession::copyKey() {
-    if (!key_) return;
-    const int to = std::max(0, static_cast<int>(std::lround(frame_)));
-    // The playhead stands on the chosen key: its copy comes half a second after the last one.
-    const int place = to != *key_ ? to : lastFrame() + static_cast<int>(rate() / 2);
-    change(tr("Copy the key to frame %1").arg(place), [&](KeyDraft& draft) {
-        draft.track = withCopiedKey(std::move(draft.track), *key_, place);
-    });
-    choose(place);
-}
-
-void KeySession::mirrorKey() {
-    if (!key_) return;
-    change(tr("Mirror the key"), [&](KeyDraft& draft) {
-        KeyPose& key = draft.track.keys[static_cast<std::size_t>(*draft.track.find(*key_))];
-        const Eigen::Vector3d place = key.pose.root;
-        key.pose = mirrored(*draft.track.rig, key.pose);
-        key.pose.root = place;
-    });
-}
-
-void KeySession::setEasing(Easing easing) {
-    if (!key_) return;
-    change(tr("Change the way to the next key"), [&](KeyDraft& draft) {
-        draft.track = withEasing(std::move(draft.track), *key_, easing);
-    });
-}
-
-void KeySession::clear() {
-    change(tr("Remove all keys"), [](KeyDraft& draft) { draft.track.keys.clear(); });
-}
-
 void KeySession::choose(std::optional<int> frame) {
     if (frame && !draft_.track.find(*frame)) frame.reset();
     key_ = frame;
     dragged_.reset();
+    session_.document().endGesture();
     if (frame) {
         setPlaying(false);
         frame_ = *frame;
@@ -342,47 +243,6 @@ void KeySession::chooseNext(int direction) {
     if (!key_) choose(direction > 0 ? keys.back().frame : keys.front().frame);
 }
 
-void KeySession::setHandle(Handle handle) {
-    handle_ = handle;
-    Q_EMIT chosen();
-}
-
-void KeySession::setPinned(Handle handle, bool pinned) {
-    pins_[handle] = pinned;
-    Q_EMIT chosen();
-}
-
-void KeySession::drag(Handle handle, const Eigen::Vector3d& place) {
-    if (!isEditable()) return;
-    const KeyPose& key = draft_.track.keys[static_cast<std::size_t>(*draft_.track.find(*key_))];
-    Pins pins = pins_;
-    pins[handle] = false;
-    const DragResult result = dragged(*draft_.track.rig, key.pose, handle, place, pins);
-    dragged_ = result.pose;
-    missing_ = result.missing;
-    show();
-}
-
-void KeySession::release() {
-    if (!dragged_ || !key_) return;
-    const Pose pose = *dragged_;
-    const QString name =
-        QString::fromLatin1(handleName(handle_).data(), qsizetype(handleName(handle_).size()))
-            .replace(QLatin1Char('_'), QLatin1Char(' '));
-    missing_ = 0;
-    change(tr("Drag the %1").arg(name), [&](KeyDraft& draft) {
-        draft.track.keys[static_cast<std::size_t>(*draft.track.find(*key_))].pose = pose;
-    });
-    dragged_.reset();
-    show();
-}
-
-void KeySession::place(Handle handle, const Eigen::Vector3d& place) {
-    drag(handle, place);
-    handle_ = handle;
-    release();
-}
-
 void KeySession::setShowsMotion(bool motion) {
     motion = motion && motion_ != nullptr;
     if (motion == showsMotion_) return;
@@ -391,6 +251,37 @@ void KeySession::setShowsMotion(bool motion) {
     frame_ = std::clamp(frame_, double(firstFrame()), double(lastFrame()));
     show();
     Q_EMIT stateChanged();
+}
+
+void KeySession::setShowsNeighbours(bool on) {
+    showsNeighbours_ = on;
+    show();
+    Q_EMIT stateChanged();
+}
+
+std::vector<Pose> KeySession::neighbours() const {
+    const KeyPose *before = nullptr, *after = nullptr;
+    for (const KeyPose& key : draft_.track.keys) {
+        if (key.frame < frame_ - 1e-6) before = &key;
+        if (key.frame > frame_ + 1e-6 && after == nullptr) after = &key;
+    }
+    std::vector<Pose> poses;
+    if (before != nullptr) poses.push_back(before->pose);
+    if (after != nullptr) poses.push_back(after->pose);
+    return poses;
+}
+
+void KeySession::setShowsDirect(bool on) {
+    showsDirect_ = on;
+    if (on) setShowsMotion(true);
+    show();
+    Q_EMIT stateChanged();
+}
+
+std::optional<Pose> KeySession::directPose() const {
+    if (!showsDirect_ || !showsMotion_ || motion_ == nullptr) return std::nullopt;
+    const Clip& clip = motion_->direct.clip;
+    return poseAt(clip, std::clamp((frame_ - firstFrame()) / rate(), 0.0, clip.seconds()));
 }
 
 bool KeySession::isEditable() const {

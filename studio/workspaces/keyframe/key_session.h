@@ -26,8 +26,10 @@ struct KeySource {
 /// A motion that was made of the keys.
 struct KeyMotion {
     std::vector<PoseMatch> found;  ///< for the whole body, the best first
+    std::array<std::vector<PoseMatch>, kBodyPartCount> foundOfPart;
     AssemblyPlan plan;
     Assembly assembly;
+    Assembly direct;  ///< the same without any adjustment
 };
 
 /// What the Keyframe workspace works on. The keys are the project's draft: every change of them is
@@ -67,8 +69,14 @@ public:
     void addKey();
     /// The pose of the active fighter at the take's playhead, where the key stands.
     void takePose();
+    /// A pose where the chosen key stands; without one a new key at the playhead.
+    void usePose(const Pose& pose, const QString& edit);
     void removeKey();
     void moveKey(int from, int to);
+    /// The same of a key and all later ones.
+    void shiftKeys(int from, int to);
+    /// All later keys that many times as far from the chosen one.
+    void retime(double factor);
     void copyKey();
     void mirrorKey();
     void setEasing(Easing easing);
@@ -85,9 +93,26 @@ public:
     void setHandle(Handle handle);
     const Pins& pins() const { return pins_; }
     void setPinned(Handle handle, bool pinned);
+    /// The joint that is turned by rings and numbers.
+    std::optional<int> joint() const { return joint_; }
+    void setJoint(std::optional<int> joint);
+    /// The joint after or before the chosen one; behind the last there is none.
+    void stepJoint(int direction);
+    /// What can be turned, from the root on, and how it is called.
+    std::vector<int> joints() const;
+    QString jointName(int joint) const;
+    /// Turns the chosen joint from where the key has it, about an axis of its parent (0 to 2);
+    /// `release` makes it a step of the history.
+    void turn(int axis, double radians);
+    /// Gives the chosen joint a local rotation, within its limits, as a step of the history.
+    void turnTo(const Eigen::Quaterniond& turn);
     /// Draws the handle to a place; `release` makes it a step of the history.
     void drag(Handle handle, const Eigen::Vector3d& place);
     void release();
+    /// Leaves what is being drawn as it was.
+    void cancelDrag();
+    /// The chosen handle a little way on; one after the other they are one step.
+    void nudge(const Eigen::Vector3d& way);
     /// Draws a handle to exactly that place, as a step of the history.
     void place(Handle handle, const Eigen::Vector3d& place);
     /// How far the dragged handle stayed behind the hand, metres.
@@ -96,6 +121,15 @@ public:
     /// The keys themselves, or the motion made of them.
     bool showsMotion() const { return showsMotion_; }
     void setShowsMotion(bool motion);
+
+    /// The keys before and after what is shown as ghosts.
+    bool showsNeighbours() const { return showsNeighbours_; }
+    void setShowsNeighbours(bool on);
+    std::vector<Pose> neighbours() const;
+    /// Beside the motion what it would be without adjustment.
+    bool showsDirect() const { return showsDirect_; }
+    void setShowsDirect(bool on);
+    std::optional<Pose> directPose() const;
 
     /// The shown pose; null where there is none.
     const Pose* pose() const { return shown_ ? &*shown_ : nullptr; }
@@ -124,9 +158,12 @@ Q_SIGNALS:
 
 private:
     void follow();
+    /// Whether the library is that of the project as it is.
+    bool isOfProject() const;
     void prepare();
     void readDraft();
     void make();
+    void showTurn(const Eigen::Quaterniond& turn);
     bool attempt(const std::function<void()>& act);
     std::optional<Pose> poseOfTake() const;
     void advance();
@@ -146,9 +183,11 @@ private:
     std::optional<int> key_;
     Handle handle_ = Handle::RightHand;
     Pins pins_ = feetPinned();
+    std::optional<int> joint_;
+    QString dragEdit_;             ///< what the history says of a drag
     std::optional<Pose> dragged_;  ///< the chosen key's pose while a hand draws at it
     double missing_ = 0;
-    bool showsMotion_ = false;
+    bool showsMotion_ = false, showsNeighbours_ = false, showsDirect_ = false;
     double frame_ = 0;
     std::optional<Pose> shown_;
 };

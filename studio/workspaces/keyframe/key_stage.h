@@ -7,6 +7,8 @@
 
 #include "core/editing/pose_handles.h"
 #include "core/motion/motion_library.h"
+#include "studio/view3d/pose.h"
+#include "studio/view3d/stage_handles.h"
 
 namespace kumite::studio {
 
@@ -27,12 +29,18 @@ private:
     void begin();
     void show();
     bool isShown() const;
+    std::vector<Eigen::Vector3f> jointsOf(const Pose& pose) const;
+    void showNeighbours();
+    /// Target, what is reached, and the opponent.
+    void showTarget(StageHandles& shown, FigurePose& opponent);
 
     KeySession& keys_;
     HitSession& hit_;
     StageView& stage_;
     std::shared_ptr<const MotionLibrary> library_;  ///< whose figure is shown; null: none is
     std::vector<Handle> handles_;                   ///< those that the view has, in its order
+    std::vector<Role> aims_;                        ///< the view's handles behind the target
+    std::vector<StageGhost> ghosts_;                ///< those that the view shows
     bool framed_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "studio/workspaces/keyframe/key_strip.h"
 
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -11,6 +12,7 @@
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/timeline/wheel.h"
+#include "studio/workspaces/keyframe/hit_session.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
@@ -24,13 +26,20 @@ constexpr double kShortest = 0.3, kLongest = 120;  // seconds visible
 constexpr double kReach = 9;                       // pixels
 }  // namespace
 
-KeyStrip::KeyStrip(KeySession& keys, QWidget* parent) : QWidget(parent), keys_(keys) {
+KeyStrip::KeyStrip(KeySession& keys, HitSession& hit, QWidget* parent)
+    : QWidget(parent), keys_(keys), hit_(hit) {
     setAccessibleName(tr("Key poses over time"));
     setMouseTracking(true);
+    setFocusPolicy(Qt::ClickFocus);
     setMinimumHeight(80);
     for (auto signal : {&KeySession::draftChanged, &KeySession::motionChanged, &KeySession::chosen,
                         &KeySession::moved, &KeySession::stateChanged})
         connect(&keys_, signal, this, qOverload<>(&QWidget::update));
+    connect(&hit_, &HitSession::changed, this, [this] {
+        setAccessibleName(hit_.isOn() ? tr("The strike over time") : tr("Key poses over time"));
+        update();
+    });
+    connect(&hit_, &HitSession::moved, this, qOverload<>(&QWidget::update));
     connect(&keys_, &KeySession::draftChanged, this, [this] {
         const double last = keys_.lastFrame() / keys_.rate();
         if (last > begin_ + length_) length_ = std::min(kLongest, 1.2 * last - begin_);
@@ -58,6 +67,23 @@ void KeyStrip::paintEvent(QPaintEvent*) {
     QFont small = font();
     small.setPointSizeF(std::max(7.5, small.pointSizeF() - 1.0));
     painter.setFont(small);
+    paintRuler(painter);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (hit_.isOn()) {
+        paintHit(painter);
+    } else {
+        paintKeys(painter);
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    if (hit_.isOn() && !hit_.motion()) return;
+    const double now = hit_.isOn() ? hit_.seconds() : keys_.frame() / keys_.rate();
+    const double head = std::floor(mapping().xOf(now)) + 0.5;
+    painter.setPen(QPen(c.accent, 1.5));
+    painter.drawLine(QPointF(head, 0), QPointF(head, height()));
+}
+
+void KeyStrip::paintRuler(QPainter& painter) const {
+    const Colours& c = coloursFor(palette());
     const TimeMapping map = mapping();
     const double step = rulerStep(map.pixelsPerSecond(), 70);
     for (double t = step * std::floor(map.begin / step); t <= map.end; t += step) {
@@ -71,8 +97,38 @@ void KeyStrip::paintEvent(QPaintEvent*) {
         painter.drawText(QRectF(x + 3, 0, 90, rulerHeight() - 2), Qt::AlignLeft | Qt::AlignVCenter,
                          time);
     }
+}
+
+void KeyStrip::paintHit(QPainter& painter) const {
+    const Colours& c = coloursFor(palette());
+    const auto& motion = hit_.motion();
+    if (!motion) {
+        painter.setPen(c.secondText);
+        painter.drawText(rect().adjusted(20, int(rulerHeight()), -20, 0),
+                         Qt::AlignCenter | Qt::TextWordWrap,
+                         !hit_.problem().isEmpty() ? hit_.problem()
+                         : hit_.jobs().isRunning() ? tr("The strikes are being aligned.")
+                                                   : tr("No strike to bring to a target."));
+        return;
+    }
+    const double rate = keys_.rate();
+    const QPointF begin = placeOf(0), end = placeOf(motion->clip.seconds() * rate);
+    painter.setPen(QPen(withAlpha(c.fighters[0], 0.6), 4));
+    painter.drawLine(begin, end);
+    const double moment = motion->hit / motion->clip.rate;
+    const QPointF at = placeOf(moment * rate);
+    painter.setPen(QPen(c.text, 1.2));
+    painter.setBrush(c.accent);
+    painter.drawEllipse(at, 7, 7);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(c.secondText);
+    painter.drawText(QRectF(at.x() - 60, at.y() + 9, 120, 18), Qt::AlignCenter,
+                     tr("hit, %1").arg(timeText(moment, 0.01)));
+}
+
+void KeyStrip::paintKeys(QPainter& painter) const {
+    const Colours& c = coloursFor(palette());
     const auto& keys = keys_.draft().track.keys;
-    painter.setRenderHint(QPainter::Antialiasing);
     if (keys.empty()) {
         painter.setPen(c.secondText);
         painter.drawText(rect().adjusted(20, int(rulerHeight()), -20, 0),
@@ -102,10 +158,6 @@ void KeyStrip::paintEvent(QPaintEvent*) {
         painter.drawText(QRectF(at.x() - 30, at.y() + radius + 1, 60, 16), Qt::AlignCenter,
                          QString::number(isDragged ? to_ : key.frame));
     }
-    painter.setRenderHint(QPainter::Antialiasing, false);
-    const double head = std::floor(map.xOf(keys_.frame() / keys_.rate())) + 0.5;
-    painter.setPen(QPen(c.accent, 1.5));
-    painter.drawLine(QPointF(head, 0), QPointF(head, height()));
 }
 
 std::optional<int> KeyStrip::keyAt(const QPointF& position) const {
@@ -122,15 +174,21 @@ int KeyStrip::frameAt(double x) const {
 
 void KeyStrip::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton) return;
-    dragged_ = keyAt(event->position());
+    over_ = false;
+    dragged_ = hit_.isOn() ? std::nullopt : keyAt(event->position());
     moved_ = false;
     if (dragged_) {
         keys_.choose(dragged_);
         return;
     }
     scrubbing_ = true;
+    scrubTo(event->position().x());
+}
+
+void KeyStrip::scrubTo(double x) {
+    if (hit_.isOn()) return hit_.seek(mapping().timeAt(x));
     keys_.setPlaying(false);
-    keys_.seek(frameAt(event->position().x()));
+    keys_.seek(frameAt(x));
 }
 
 void KeyStrip::mouseMoveEvent(QMouseEvent* event) {
@@ -139,16 +197,18 @@ void KeyStrip::mouseMoveEvent(QMouseEvent* event) {
         moved_ = moved_ || to_ != *dragged_;
         update();
     } else if (scrubbing_) {
-        keys_.seek(frameAt(event->position().x()));
-    } else {
-        const auto key = keyAt(event->position());
+        scrubTo(event->position().x());
+    } else if (!over_) {
+        const auto key = hit_.isOn() ? std::nullopt : keyAt(event->position());
         setCursor(key ? Qt::PointingHandCursor : Qt::ArrowCursor);
         Q_EMIT keys_.session().hovered(key ? tr("key at frame %1 · drag to move it").arg(*key)
                                            : QString());
     }
 }
 
-void KeyStrip::mouseReleaseEvent(QMouseEvent*) {
+void KeyStrip::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton) return;
+    over_ = false;
     scrubbing_ = false;
     const auto from = dragged_;
     dragged_.reset();
@@ -156,7 +216,24 @@ void KeyStrip::mouseReleaseEvent(QMouseEvent*) {
     update();
 }
 
+bool KeyStrip::event(QEvent* event) {
+    if (event->type() == QEvent::ShortcutOverride && dragged_ &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void KeyStrip::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape || !dragged_) return QWidget::keyPressEvent(event);
+    dragged_.reset();
+    over_ = true;
+    update();
+}
+
 void KeyStrip::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || hit_.isOn()) return;
     if (keyAt(event->position())) return;
     keys_.seek(frameAt(event->position().x()));
     keys_.addKey();

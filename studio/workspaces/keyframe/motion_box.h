@@ -3,8 +3,10 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
+#include <vector>
 
-#include "core/editing/body_parts.h"
+#include "core/editing/assembly.h"
 
 class QCheckBox;
 class QComboBox;
@@ -14,10 +16,12 @@ class QSlider;
 
 namespace kumite::studio {
 
+class ActionTiles;
 class KeySession;
 
 /// What the keys' motion is made of: the places in the library that are most like the keys, where
-/// each part of the body comes from, and how it is put together. A click on a place takes it.
+/// each part of the body comes from, and how it is put together. Places are shown as small views
+/// beside the keys; a click on one takes the body, or the part that is looked for, from there.
 class MotionBox : public QWidget {
     Q_OBJECT
 
@@ -26,10 +30,17 @@ public:
 
 private:
     void refresh();
+    void showTiles();
     void take(int row);
+    /// The part that places are like the keys in; nothing: the whole body.
+    std::optional<BodyPart> part() const;
+    const std::vector<PoseMatch>* found() const;
+    bool isTaken(const PoseMatch& match) const;
 
     KeySession& keys_;
     QLabel* text_;
+    QComboBox* scope_;
+    ActionTiles* tiles_;
     QListWidget* list_;
     std::array<QComboBox*, kBodyPartCount> parts_;
     QCheckBox* adjusted_;

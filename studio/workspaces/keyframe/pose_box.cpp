@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
+#include <QSpinBox>
 #include <QVBoxLayout>
 
 #include "studio/app/panel_parts.h"
@@ -63,11 +64,13 @@ PoseBox::PoseBox(KeySession& keys, QWidget* parent)
       text_(new QLabel(this)),
       handle_(new QComboBox(this)),
       pinned_(new QCheckBox(tr("stays where it is"), this)),
-      easing_(new QComboBox(this)) {
+      easing_(new QComboBox(this)),
+      frame_(new QSpinBox(this)),
+      along_(new QCheckBox(tr("and later keys"), this)),
+      stretch_(new QDoubleSpinBox(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(headingLabel(tr("Key pose"), this));
     text_->setWordWrap(true);
     text_->setProperty("role", "second");
     text_->setAccessibleName(tr("The chosen key"));
@@ -108,6 +111,7 @@ PoseBox::PoseBox(KeySession& keys, QWidget* parent)
     easing_->setAccessibleName(tr("Way to the next key"));
     easing_->setToolTip(tr("How the way to the next key goes"));
     form->addRow(tr("Way on"), easing_);
+    addTimes(form);
     layout->addLayout(form);
     connect(handle_, &QComboBox::activated, this, [this](int index) {
         keys_.setHandle(static_cast<Handle>(handle_->itemData(index).toInt()));
@@ -123,6 +127,46 @@ PoseBox::PoseBox(KeySession& keys, QWidget* parent)
     refresh();
 }
 
+void PoseBox::addTimes(QFormLayout* form) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    frame_->setRange(0, 100000);
+    frame_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    frame_->setKeyboardTracking(false);
+    frame_->setMinimumWidth(10);
+    frame_->setAccessibleName(tr("Frame of the key"));
+    frame_->setToolTip(tr("Moves the key to that frame"));
+    row->addWidget(frame_, 1);
+    along_->setToolTip(tr("Later keys go as many frames along"));
+    row->addWidget(along_);
+    form->addRow(tr("Frame"), row);
+    stretch_->setRange(0.1, 10);
+    stretch_->setDecimals(2);
+    stretch_->setSingleStep(0.1);
+    stretch_->setValue(1);
+    stretch_->setPrefix(QStringLiteral("× "));
+    stretch_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    stretch_->setKeyboardTracking(false);
+    stretch_->setAccessibleName(tr("Time from this key on, times"));
+    stretch_->setToolTip(
+        tr("All later keys that many times as far from this one: 2 is half as fast"));
+    form->addRow(tr("Time on"), stretch_);
+    connect(frame_, &QSpinBox::valueChanged, this, [this](int frame) {
+        if (!keys_.key()) return;
+        if (along_->isChecked()) {
+            keys_.shiftKeys(*keys_.key(), frame);
+        } else {
+            keys_.moveKey(*keys_.key(), frame);
+        }
+        refresh();  // what could not be done
+    });
+    connect(stretch_, &QDoubleSpinBox::valueChanged, this, [this](double factor) {
+        keys_.retime(factor);
+        const QSignalBlocker quiet(stretch_);
+        stretch_->setValue(1);
+    });
+}
+
 void PoseBox::refresh() {
     const bool editable = keys_.isEditable();
     text_->setText(editable ? tr("Frame %1. Drag hands, feet, hips, chest or head in the 3D view.")
@@ -132,8 +176,11 @@ void PoseBox::refresh() {
     handle_->setCurrentIndex(handle_->findData(static_cast<int>(keys_.handle())));
     pinned_->setChecked(keys_.pins()[keys_.handle()]);
     for (QWidget* field : {static_cast<QWidget*>(handle_), static_cast<QWidget*>(pinned_),
-                           static_cast<QWidget*>(easing_)})
+                           static_cast<QWidget*>(easing_), static_cast<QWidget*>(frame_),
+                           static_cast<QWidget*>(along_), static_cast<QWidget*>(stretch_)})
         field->setEnabled(editable);
+    const QSignalBlocker still(frame_);
+    frame_->setValue(keys_.key().value_or(0));
     const auto at = editable && keys_.pose() != nullptr
                         ? handlePoint(*keys_.draft().track.rig, *keys_.pose(), keys_.handle())
                         : std::nullopt;

@@ -7,7 +7,9 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
+class QSpinBox;
 
 namespace kumite::studio {
 
@@ -23,6 +25,7 @@ public:
 
 private:
     void refresh();
+    void addTimes(QFormLayout* form);
     void place(int axis, double metres);
 
     KeySession& keys_;
@@ -31,6 +34,9 @@ private:
     QCheckBox* pinned_;
     std::array<QDoubleSpinBox*, 3> place_;
     QComboBox* easing_;
+    QSpinBox* frame_;
+    QCheckBox* along_;
+    QDoubleSpinBox* stretch_;
 };
 
 }  // namespace kumite::studio

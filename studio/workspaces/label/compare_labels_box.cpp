@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/label/label_session.h"
@@ -42,8 +43,7 @@ int DifferencesModel::columnCount(const QModelIndex& parent) const {
 QString DifferencesModel::qualifierText(int aspect, int qualifier) const {
     if (qualifier == kUnknown) return QStringLiteral("–");
     const Aspect& of = labels_.vocabulary()[aspect];
-    return QString::fromStdString(of.qualifiers[static_cast<std::size_t>(qualifier)].name)
-        .toLower();
+    return vocabularyInText(of.qualifiers[static_cast<std::size_t>(qualifier)].name);
 }
 
 QVariant DifferencesModel::data(const QModelIndex& index, int role) const {
@@ -53,8 +53,7 @@ QVariant DifferencesModel::data(const QModelIndex& index, int role) const {
     const Colours& c = coloursFor(QGuiApplication::palette());
     const Project& project = labels_.session().document().project();
     const double seconds = timeOfFrame(fighterAt(project, difference.fighter), row.peak);
-    const QString aspect =
-        QString::fromStdString(labels_.vocabulary()[difference.aspect].name).toLower();
+    const QString aspect = vocabularyInText(labels_.vocabulary()[difference.aspect].name);
     const QString mine = qualifierText(difference.aspect, difference.first);
     const QString theirs = qualifierText(difference.aspect, difference.second);
     switch (role) {
@@ -247,10 +246,9 @@ void CompareLabelsBox::fillTable() {
         if (aspect.both == 0) continue;
         const int row = aspects_->rowCount();
         aspects_->insertRow(row);
-        const QString texts[] = {
-            QString::fromStdString(vocabulary[a].name), QString::number(aspect.both),
-            percentText(static_cast<double>(aspect.same) / aspect.both),
-            aspect.kappa ? QString::number(*aspect.kappa, 'f', 2) : QStringLiteral("–")};
+        const QString texts[] = {vocabularyWords(vocabulary[a].name), QString::number(aspect.both),
+                                 percentText(static_cast<double>(aspect.same) / aspect.both),
+                                 aspect.kappa ? numberText(*aspect.kappa, 2) : QStringLiteral("–")};
         for (int column = 0; column < 4; ++column)
             aspects_->setItem(row, column, new QTableWidgetItem(texts[column]));
     }
@@ -274,7 +272,7 @@ void CompareLabelsBox::showButtons() {
                            .arg(name_)
                            .arg(agreement_->same);
         if (agreement_->both != 1) text = text.arg(agreement_->both);
-        if (agreement_->kappa) text += tr(", κ %1").arg(*agreement_->kappa, 0, 'f', 2);
+        if (agreement_->kappa) text += tr(", κ %1").arg(numberText(*agreement_->kappa, 2));
         text += open == 0   ? tr(". No difference to decide.")
                 : open == 1 ? tr(". 1 difference to decide.")
                             : tr(". %1 differences to decide.").arg(open);

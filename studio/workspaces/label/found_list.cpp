@@ -65,7 +65,7 @@ QString FoundModel::toolTip(const FoundRow& row) const {
     QString text = tr("%1, %2: %3, %4")
                        .arg(timeText(secondsOf(labels_, row)), fighterText(row.fighter.player),
                             row.label, row.source);
-    if (row.confidence) text += tr(", p %1").arg(*row.confidence, 0, 'f', 2);
+    if (row.confidence) text += tr(", p %1").arg(numberText(*row.confidence, 2));
     if (project.takes.size() > 1) {
         const auto& take = project.takes[static_cast<std::size_t>(row.fighter.take)];
         text = QString::fromStdString(take.name) + QStringLiteral(", ") + text;
@@ -87,7 +87,7 @@ QVariant FoundModel::data(const QModelIndex& index, int role) const {
                     return row.source;
                 default:
                     if (brief_ && row.source == sourceWords(LabelSource::Hand)) return row.source;
-                    return row.confidence ? QString::number(*row.confidence, 'f', 2) : QString();
+                    return row.confidence ? numberText(*row.confidence, 2) : QString();
             }
         case Qt::ForegroundRole:
             if (index.column() == TimeColumn) return c.fighterText[row.fighter.player];

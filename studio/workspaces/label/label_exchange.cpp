@@ -3,8 +3,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
-#include <QStandardPaths>
 
 #include <filesystem>
 
@@ -12,6 +10,7 @@
 #include "core/base/files.h"
 #include "core/project/labels.h"
 #include "core/project/vocabulary_change.h"
+#include "studio/app/folders.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/questions.h"
 #include "studio/app/session.h"
@@ -26,17 +25,6 @@ std::filesystem::path pathOf(const QString& path) {
 
 QString nameOf(const QString& path) {
     return QFileInfo(path).fileName();
-}
-
-QString startFolder() {
-    return QSettings()
-        .value(QStringLiteral("folder"),
-               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation))
-        .toString();
-}
-
-void keepFolder(const QString& path) {
-    QSettings().setValue(QStringLiteral("folder"), QFileInfo(path).absolutePath());
 }
 
 QString kindsToRead() {
@@ -71,41 +59,42 @@ void LabelExchange::takeOver() {
 }
 
 void LabelExchange::askForImport() {
-    const QString path = fileToOpen(window_, tr("Take over labels"), startFolder(), kindsToRead());
+    const QString path = fileToOpen(window_, tr("Take over labels"),
+                                    startFolder(session_.document()), kindsToRead());
     if (path.isEmpty()) return;
-    keepFolder(path);
+    rememberFolder(path);
     importFrom(path);
 }
 
 void LabelExchange::askForOther() {
     const QString path = fileToOpen(window_, tr("Compare with another person's labels"),
-                                    startFolder(), kindsToRead());
+                                    startFolder(session_.document()), kindsToRead());
     if (path.isEmpty()) return;
-    keepFolder(path);
+    rememberFolder(path);
     compareWith(path);
 }
 
 void LabelExchange::askForVocabulary() {
-    const QString path = fileToOpen(window_, tr("Use another vocabulary"), startFolder(),
-                                    tr("Vocabularies (*.json)"));
+    const QString path = fileToOpen(window_, tr("Use another vocabulary"),
+                                    startFolder(session_.document()), tr("Vocabularies (*.json)"));
     if (path.isEmpty()) return;
-    keepFolder(path);
+    rememberFolder(path);
     useVocabulary(path);
 }
 
 void LabelExchange::askForExport() {
     const QString name = QFileInfo(session_.document().name()).completeBaseName();
     QString kind;
-    QString path =
-        fileToSave(window_, tr("Write labels"), startFolder() + QLatin1Char('/') + name,
-                   tr("Table (*.csv);;JSON (*.json);;ELAN, the shown take (*.eaf)"), &kind);
+    QString path = fileToSave(
+        window_, tr("Write labels"), startFolder(session_.document()) + QLatin1Char('/') + name,
+        tr("Table (*.csv);;JSON (*.json);;ELAN, the shown take (*.eaf)"), &kind);
     if (path.isEmpty()) return;
     if (QFileInfo(path).suffix().isEmpty()) {
         path += kind.contains(QStringLiteral("*.json"))  ? QStringLiteral(".json")
                 : kind.contains(QStringLiteral("*.eaf")) ? QStringLiteral(".eaf")
                                                          : QStringLiteral(".csv");
     }
-    keepFolder(path);
+    rememberFolder(path);
     exportTo(path);
 }
 

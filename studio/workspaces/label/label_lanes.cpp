@@ -1,5 +1,6 @@
 #include "studio/workspaces/label/label_lanes.h"
 
+#include "studio/app/core_words.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/label/label_words.h"
 
@@ -51,7 +52,7 @@ int LabelLanes::laneCount() const {
 }
 
 QString LabelLanes::laneName(int lane) const {
-    return QString::fromStdString(labels_.vocabulary()[lane].name);
+    return vocabularyWords(labels_.vocabulary()[lane].name);
 }
 
 int LabelLanes::chosenLane() const {
@@ -61,7 +62,8 @@ int LabelLanes::chosenLane() const {
 QString LabelLanes::valueText(int lane, int value) const {
     const Aspect& aspect = labels_.vocabulary()[lane];
     const Qualifier& qualifier = aspect.qualifiers[static_cast<std::size_t>(value)];
-    return QString::fromStdString(value == aspect.fallback ? qualifier.name : qualifier.id);
+    return value == aspect.fallback ? vocabularyWords(qualifier.name)
+                                    : QString::fromStdString(qualifier.id);
 }
 
 QColor LabelLanes::valueColour(int lane, int value) const {

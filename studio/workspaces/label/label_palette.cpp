@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "studio/app/comfort.h"
+#include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/timeline/lane_painter.h"
 #include "studio/workspaces/label/label_lanes.h"
@@ -101,7 +102,7 @@ void LabelPalette::layOut() {
         lane.kind = Spot::Lane;
         lane.index = a;
         lane.place = QRect(0, top, width(), rowHeight());
-        lane.text = QString::fromStdString(vocabulary[a].name);
+        lane.text = vocabularyWords(vocabulary[a].name);
         spots_.push_back(lane);
         top += rowHeight();
         if (a == review_.labels().aspect()) addClasses(top);
@@ -109,6 +110,14 @@ void LabelPalette::layOut() {
     top += kGap;
     quickTop_ = top;
     addQuick(top);
+    Spot besides;
+    besides.kind = Spot::Besides;
+    besides.key = keyOf_(QStringLiteral("label.composite"));
+    besides.place = QRect(0, top + kGap, width(), rowHeight());
+    besides.text = tr("and: adds the next class");
+    besides.tip = tr("For two strikes in one action: this, then a class of another lane");
+    spots_.push_back(besides);
+    top += kGap + rowHeight();
     height_ = top;
     if (height_ != before) updateGeometry();
 }
@@ -128,7 +137,7 @@ void LabelPalette::addClasses(int& top) {
                 ? QString()
                 : keyOf_(
                       QStringLiteral("label.class%1").arg(QString::fromStdString(qualifier.key)));
-        chip.text = QString::fromStdString(qualifier.name);
+        chip.text = vocabularyWords(qualifier.name);
         chip.tip = aspectWords(vocabulary, review_.labels().aspect(), chip.index);
         chip.colour = QColor(QString::fromStdString(qualifier.colour));
         const int cap = chip.key.isEmpty()
@@ -203,6 +212,7 @@ void LabelPalette::paintEvent(QPaintEvent*) {
         if (spot.kind == Spot::Lane) paintLane(painter, spot);
         if (spot.kind == Spot::Class) paintClass(painter, spot);
         if (spot.kind == Spot::Quick) paintQuick(painter, spot);
+        if (spot.kind == Spot::Besides) paintBesides(painter, spot);
         if (spot.kind == Spot::Caption) {
             painter.setPen(coloursFor(palette()).secondText);
             painter.drawText(
@@ -244,7 +254,7 @@ void LabelPalette::paintLane(QPainter& painter, const Spot& spot) {
         painter.setBrush(Qt::NoBrush);
         if (outlined) painter.drawRect(swatch.adjusted(0, 0, -1, -1));
     }
-    QString text = QString::fromStdString(qualifier.name);
+    QString text = vocabularyWords(qualifier.name);
     const bool machine = shown.value.source == LabelSource::Machine;
     if (machine && shown.value.confidence > 0) {
         text += QStringLiteral("  %1").arg(static_cast<double>(shown.value.confidence), 0, 'f', 2);
@@ -282,6 +292,14 @@ void LabelPalette::paintQuick(QPainter& painter, const Spot& spot) {
                      painter.fontMetrics().elidedText(spot.text, Qt::ElideRight, rest.width()));
 }
 
+void LabelPalette::paintBesides(QPainter& painter, const Spot& spot) {
+    if (review_.isComposite()) {
+        const Colours& c = coloursFor(palette());
+        painter.fillRect(spot.place, mixed(c.panel, c.accent, 0.3));
+    }
+    paintQuick(painter, spot);
+}
+
 const LabelPalette::Spot* LabelPalette::spotAt(const QPoint& position) const {
     const auto found = std::find_if(spots_.begin(), spots_.end(), [&](const Spot& spot) {
         return spot.place.contains(position);
@@ -308,6 +326,9 @@ void LabelPalette::mousePressEvent(QMouseEvent* event) {
             break;
         case Spot::Quick:
             review_.quick(index);
+            break;
+        case Spot::Besides:
+            review_.setComposite(!review_.isComposite());
             break;
         case Spot::Caption:
             break;

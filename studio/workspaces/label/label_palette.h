@@ -35,7 +35,7 @@ protected:
 private:
     /// A part that can be clicked.
     struct Spot {
-        enum Kind { Lane, Class, Quick, Caption } kind = Lane;
+        enum Kind { Lane, Class, Quick, Besides, Caption } kind = Lane;
         int index = 0;
         QRect place;
         QString key;
@@ -49,6 +49,7 @@ private:
     void paintLane(QPainter& painter, const Spot& spot);
     void paintClass(QPainter& painter, const Spot& spot);
     void paintQuick(QPainter& painter, const Spot& spot);
+    void paintBesides(QPainter& painter, const Spot& spot);
     const Spot* spotAt(const QPoint& position) const;
 
     LabelReview& review_;

@@ -26,6 +26,31 @@ namespace {
 /// Questions of the queue that are listed.
 constexpr std::size_t kListed = 100;
 
+/// A text and what belongs at its end, in as many lines as the width asks for: between the parts of
+/// a list first.
+QString wordsInWidth(const QString& text, const QString& end, const QFontMetrics& metrics,
+                     int width) {
+    const QString line = end.isEmpty() ? text : text + QStringLiteral("   ") + end;
+    if (metrics.horizontalAdvance(line) <= width) return line;
+    QStringList lines{QString()};
+    for (const QString& part : text.split(QStringLiteral(", "))) {
+        const QString longer = lines.last().isEmpty() ? part : lines.last() + ", " + part;
+        if (metrics.horizontalAdvance(longer) <= width || lines.last().isEmpty()) {
+            lines.last() = longer;
+        } else {
+            lines.last() += QLatin1Char(',');
+            lines.append(part);
+        }
+    }
+    const QString last = lines.last() + QStringLiteral("   ") + end;
+    if (metrics.horizontalAdvance(last) <= width) {
+        lines.last() = last;
+    } else {
+        lines.append(end);
+    }
+    return lines.join(QLatin1Char('\n'));
+}
+
 bool anyProposal(const Vocabulary& vocabulary, const ShownAction& action) {
     for (int a = 0; a < vocabulary.size(); ++a) {
         const ShownAspect& shown = action.aspects[static_cast<std::size_t>(a)];
@@ -153,6 +178,14 @@ void LabelPanel::acceptSure() {
     review_.acceptSure(progress_->threshold());
 }
 
+void LabelPanel::moveBar(double by) {
+    progress_->moveThreshold(by);
+    Q_EMIT labels_.session().hinted(
+        tr("Sure from %1 on: %2")
+            .arg(probabilityWords(progress_->threshold()),
+                 tr("%n action(s)", nullptr, labels_.countSure(progress_->threshold()))));
+}
+
 QString LabelPanel::keyOf(const QString& id) const {
     const Command* command = commands_.find(id);
     if (command == nullptr || command->keys.isEmpty()) return {};
@@ -203,11 +236,16 @@ void LabelPanel::showAnswers(const ShownAction& action) {
     const Vocabulary& vocabulary = labels_.vocabulary();
     const QString accept = keyOf(QStringLiteral("label.accept"));
     const QString reject = keyOf(QStringLiteral("label.reject"));
-    // The long names of these two keys would push the label out of a narrow panel.
-    const auto withKey = [](const QString& text, QString key) {
+    // The names of two strikes take two lines of a narrow panel, and never hide how sure it is.
+    const auto withKey = [this](const QString& text, QString key, const QString& sure = {}) {
         key.replace(QStringLiteral("Backspace"), QStringLiteral("⌫"));
         key.replace(QStringLiteral("Return"), QStringLiteral("⏎"));
-        return key.isEmpty() ? text : text + QStringLiteral("   ") + key;
+        QStringList rest;
+        for (const QString& part : {sure, key}) {
+            if (!part.isEmpty()) rest.append(part);
+        }
+        const QString end = rest.join(QStringLiteral("   "));
+        return wordsInWidth(text, end, fontMetrics(), std::max(best_->width(), 160) - 18);
     };
     const QString label = labelWords(vocabulary, action.label());
     if (action.anyByHand()) {
@@ -221,16 +259,15 @@ void LabelPanel::showAnswers(const ShownAction& action) {
     best_->setEnabled(proposed);
     const auto sure = [&](const Label& of) {
         const auto probability = probabilityOf(vocabulary, action, of);
-        return probability ? QStringLiteral("  ") + probabilityWords(*probability)
-                           : tr(" · the only class so far");
+        return probability ? probabilityWords(*probability) : tr("the only class so far");
     };
-    best_->setText(proposed ? withKey(label + sure(action.label()), accept)
+    best_->setText(proposed ? withKey(label, accept, sure(action.label()))
                             : tr("Nothing is proposed yet"));
     const Label second = secondBest(vocabulary, action);
     const bool other =
         std::any_of(second.begin(), second.end(), [](int q) { return q != kUnknown; });
     second_->setEnabled(other);
-    second_->setText(other      ? withKey(labelWords(vocabulary, second) + sure(second), reject)
+    second_->setText(other      ? withKey(labelWords(vocabulary, second), reject, sure(second))
                      : proposed ? tr("Something else: a class key")
                                 : tr("Say what it is by a class key"));
 }

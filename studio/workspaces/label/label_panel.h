@@ -28,6 +28,8 @@ public:
 
     /// Accepts what is at least as sure as the field says.
     void acceptSure();
+    /// Moves the bar from which on answers count as sure.
+    void moveBar(double by);
 
 private:
     QWidget* makeQuestion();

@@ -7,6 +7,8 @@
 #include <algorithm>
 
 #include "studio/app/comfort.h"
+#include "studio/app/core_words.h"
+#include "studio/workspaces/label/label_words.h"
 
 namespace kumite::studio {
 
@@ -46,8 +48,9 @@ void LabelReview::next() {
     const std::vector<int>& queue = labels_.queue();
     if (queue.empty()) {
         Q_EMIT labels_.session().hinted(
-            labels_.actions().empty()
-                ? tr("There is no action to label.")
+            labels_.actions().empty() ? tr("There is no action to label.")
+            : labels_.progress().settled == labels_.progress().actions
+                ? tr("Every action is labelled.")
                 : tr("No question is left. Accept what rules and machine say of the rest."));
         return;
     }
@@ -85,7 +88,14 @@ void LabelReview::answered(bool changed) {
     const bool several = labels_.chosen().size() > 1;
     if (composite_) setComposite(false);
     // Agreeing with what a hand has said already goes on, too.
-    if (advancing_ && !several) next();
+    if (advancing_ && !several) {
+        const ShownAction* before = labels_.current();
+        const QString said = before ? labelWords(labels_.vocabulary(), before->label()) : QString();
+        next();
+        if (changed && !labels_.queue().empty()) {
+            Q_EMIT labels_.session().hinted(tr("Said: %1. This is the next question.").arg(said));
+        }
+    }
     if (!changed && !advancing_) {
         Q_EMIT labels_.session().hinted(tr("That is what a hand has said already."));
     }
@@ -150,7 +160,7 @@ void LabelReview::nameClass(int digit) {
     if (!qualifier) {
         Q_EMIT labels_.session().hinted(
             tr("%1 has no class %2.")
-                .arg(QString::fromStdString(labels_.vocabulary()[labels_.aspect()].name))
+                .arg(vocabularyWords(labels_.vocabulary()[labels_.aspect()].name))
                 .arg(digit));
         return;
     }

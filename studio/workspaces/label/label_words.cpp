@@ -2,28 +2,28 @@
 
 #include <QCoreApplication>
 
+#include "studio/app/core_words.h"
+#include "studio/app/words.h"
 #include "studio/workspaces/label/label_session.h"
 
 namespace kumite::studio {
 
 namespace {
 
-QString text(const char* source) {
-    return QCoreApplication::translate("kumite::studio::LabelWords", source);
-}
-
-QString lower(const std::string& name) {
-    return QString::fromStdString(name).toLower();
-}
+/// Translations of this file.
+struct LabelWords {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::LabelWords)
+};
 
 }  // namespace
 
 QString aspectWords(const Vocabulary& vocabulary, int aspect, int qualifier) {
     const Aspect& named = vocabulary[aspect];
-    if (qualifier == kUnknown) return text("%1 open").arg(lower(named.name));
-    if (qualifier == named.fallback) return text("no %1").arg(lower(named.name));
+    if (qualifier == kUnknown) return LabelWords::tr("%1 open").arg(vocabularyInText(named.name));
+    if (qualifier == named.fallback)
+        return LabelWords::tr("no %1").arg(vocabularyInText(named.name));
     const Qualifier& value = named.qualifiers[static_cast<std::size_t>(qualifier)];
-    return lower(named.name) + QLatin1Char(' ') + QString::fromStdString(value.name);
+    return vocabularyInText(named.name) + QLatin1Char(' ') + vocabularyWords(value.name);
 }
 
 QString labelWords(const Vocabulary& vocabulary, const Label& label, bool withRules) {
@@ -38,24 +38,24 @@ QString labelWords(const Vocabulary& vocabulary, const Label& label, bool withRu
             parts.append(aspectWords(vocabulary, a, qualifier));
     }
     if (!parts.isEmpty()) return parts.join(QStringLiteral(", "));
-    return anyKnown ? text("nothing") : text("open");
+    return anyKnown ? LabelWords::tr("nothing") : LabelWords::tr("open");
 }
 
 QString probabilityWords(double confidence) {
-    return confidence > 0 ? QStringLiteral("p\u00a0%1").arg(confidence, 0, 'f', 2)
+    return confidence > 0 ? QStringLiteral("p\u00a0%1").arg(numberText(confidence, 2))
                           : QStringLiteral("p\u00a0…");
 }
 
 QString sourceWords(LabelSource source) {
     switch (source) {
         case LabelSource::Hand:
-            return text("hand");
+            return LabelWords::tr("hand");
         case LabelSource::Rule:
-            return text("rule");
+            return LabelWords::tr("rule");
         case LabelSource::Machine:
             break;
     }
-    return text("machine");
+    return LabelWords::tr("machine");
 }
 
 QString standingWords(const ShownAspect& aspect) {
@@ -63,19 +63,20 @@ QString standingWords(const ShownAspect& aspect) {
     const auto confidence = static_cast<double>(aspect.value.confidence);
     switch (aspect.standing) {
         case Standing::Open:
-            return text("open");
+            return LabelWords::tr("open");
         case Standing::Hand:
-            return text("by hand");
+            return LabelWords::tr("by hand");
         case Standing::Accepted:
-            return rule ? text("accepted from a rule")
-                        : text("accepted from the machine, %1").arg(probabilityWords(confidence));
+            return rule ? LabelWords::tr("accepted from a rule")
+                        : LabelWords::tr("accepted from the machine, %1")
+                              .arg(probabilityWords(confidence));
         case Standing::Proposed:
             break;
     }
-    if (rule && confidence >= 1) return text("proposed by a rule");
-    if (rule) return text("proposed by a rule, %1").arg(probabilityWords(confidence));
-    if (aspect.prediction.blind) return text("proposed: the only one seen so far");
-    return text("proposed by the machine, %1").arg(probabilityWords(confidence));
+    if (rule && confidence >= 1) return LabelWords::tr("proposed by a rule");
+    if (rule) return LabelWords::tr("proposed by a rule, %1").arg(probabilityWords(confidence));
+    if (aspect.prediction.blind) return LabelWords::tr("proposed: the only one seen so far");
+    return LabelWords::tr("proposed by the machine, %1").arg(probabilityWords(confidence));
 }
 
 QString reasonWords(const LabelSession& labels, const ShownAction& action, int aspect) {

@@ -5,9 +5,11 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
-#include <QSettings>
 #include <QVBoxLayout>
 
+#include <cmath>
+
+#include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/label/label_review.h"
@@ -16,7 +18,10 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr const char* kThreshold = "label/threshold";
+/// What counts as sure at first.
+constexpr double kSure = 0.9;
+/// Below it a finished labelling is not called one.
+constexpr double kGoodAccuracy = 0.9;
 
 /// By hand solid, accepted lighter, open empty.
 class ProgressStrip : public QWidget {
@@ -74,17 +79,21 @@ ProgressBox::ProgressBox(LabelReview& review, QWidget* parent)
     accept_->setToolTip(
         tr("Keep what machine and rules propose where they are at least so sure; "
            "one step of the history (Ctrl+Return)"));
+    bar_->setAccessibleName(tr("Labelled by hand, accepted, open"));
     threshold_->setRange(0, 1);
     threshold_->setSingleStep(0.05);
     threshold_->setDecimals(2);
     threshold_->setPrefix(QStringLiteral("p ≥ "));
-    threshold_->setValue(QSettings().value(QLatin1String(kThreshold), 0.9).toDouble());
+    threshold_->setValue(kSure);
+    threshold_->setToolTip(
+        tr("How sure the machine must be of what is accepted: 0.90 is nine of ten right. "
+           "Ctrl+Down and Ctrl+Up move it."));
     threshold_->setAccessibleName(tr("Least probability of what is accepted"));
     threshold_->setToolTip(tr("Proposals that are at least so probable are accepted."));
-    connect(threshold_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
-        QSettings().setValue(QLatin1String(kThreshold), value);
-        refresh();
-    });
+    connect(threshold_, &QDoubleSpinBox::valueChanged, this, &ProgressBox::refresh);
+    // A bar that was lowered for one project is none for the next.
+    connect(&labels_.session().document(), &Document::opened, threshold_,
+            [this] { threshold_->setValue(kSure); });
     connect(accept_, &QPushButton::clicked, this, [this] { review_.acceptSure(threshold()); });
 }
 
@@ -92,13 +101,18 @@ double ProgressBox::threshold() const {
     return threshold_->value();
 }
 
+void ProgressBox::moveThreshold(double by) {
+    threshold_->setValue(threshold_->value() + by);
+}
+
 void ProgressBox::refresh() {
     const LabelProgress& progress = labels_.progress();
     bar_->update();
-    bar_->setToolTip(tr("%1 actions: %2 labelled by hand, %3 accepted")
+    bar_->setToolTip(tr("%1 actions: %2 labelled by hand (dark), %3 accepted (light), %4 open")
                          .arg(progress.actions)
                          .arg(progress.byHand)
-                         .arg(progress.accepted));
+                         .arg(progress.accepted)
+                         .arg(progress.actions - progress.byHand - progress.accepted));
     // A few labels say nothing about the rest.
     constexpr int kTells = 10;
     QString counts = tr("%1 labelled").arg(percentText(progress.labelledShare()));
@@ -111,7 +125,10 @@ void ProgressBox::refresh() {
     const int sure = labels_.countSure(threshold());
     const bool anyLeft = progress.actions > 0 && progress.settled < progress.actions;
     const bool onlyRules = anyLeft && sure == 0 && labels_.queue().empty();
-    accept_->setText(onlyRules ? tr("Accept rules") : tr("Accept %1 sure").arg(sure));
+    // How many there are is known once the machine has learnt the last answer.
+    accept_->setText(onlyRules                 ? tr("Accept rules")
+                     : labels_.isCurrent(true) ? tr("Accept %1 sure").arg(sure)
+                                               : tr("Accept the sure"));
     accept_->setEnabled(anyLeft && progress.byHand > 0 && (sure > 0 || onlyRules));
 }
 
@@ -124,17 +141,29 @@ QStringList ProgressBox::seenOnce() const {
         const Prediction& said = any.aspects[static_cast<std::size_t>(a)].prediction;
         if (vocabulary[a].classifier == Classifier::Msvm && said.blind &&
             said.qualifier != kUnknown)
-            names.append(QString::fromStdString(vocabulary[a].name).toLower());
+            names.append(vocabularyInText(vocabulary[a].name));
     }
     return names;
+}
+
+QString ProgressBox::finishedText() const {
+    const LabelProgress& progress = labels_.progress();
+    const double expected = progress.expectedAccuracy.value_or(1);
+    if (progress.accepted > progress.byHand && expected < kGoodAccuracy) {
+        return tr("Every action has a label, but of ten that the machine gave only about %1 are "
+                  "right. Undo the last acceptance and answer more questions, or look through "
+                  "the least sure ones.")
+            .arg(std::lround(10 * expected));
+    }
+    return tr(
+        "Every action is labelled. File > Save keeps it; Label > Write labels… makes a table.");
 }
 
 QString ProgressBox::adviceText() const {
     const LabelProgress& progress = labels_.progress();
     if (progress.actions == 0) return tr("No recording is cut into actions yet.");
     if (progress.settled == progress.actions) {
-        return tr(
-            "Every action is labelled. File > Save keeps it; Label > Write labels… makes a table.");
+        return finishedText();
     }
     const int few = labels_.querySettings().batch;
     if (progress.byHand == 0) {

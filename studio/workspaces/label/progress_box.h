@@ -22,9 +22,11 @@ public:
     void refresh();
     /// From which confidence on the rest is accepted.
     double threshold() const;
+    void moveThreshold(double by);
 
 private:
     QString adviceText() const;
+    QString finishedText() const;
     /// Learnt aspects of which a single class was labelled so far.
     QStringList seenOnce() const;
 

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "studio/app/core_words.h"
 #include "studio/app/session.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/label/found_list.h"
@@ -19,7 +20,7 @@ namespace {
 ConfusionTable tableOf(const Aspect& aspect, const AspectScore& score) {
     ConfusionTable table;
     for (const Qualifier& qualifier : aspect.qualifiers) {
-        table.names.append(QString::fromStdString(qualifier.name).toLower());
+        table.names.append(vocabularyInText(qualifier.name));
         table.spelt.append(QString::fromStdString(qualifier.id));
     }
     table.byRule = aspect.classifier != Classifier::Msvm;
@@ -123,7 +124,7 @@ void QualityBox::fillAspects() {
     const Vocabulary& vocabulary = labels_.vocabulary();
     QStringList names;
     for (const Aspect& aspect : vocabulary.aspects)
-        names.append(QString::fromStdString(aspect.name));
+        names.append(vocabularyWords(aspect.name));
     QStringList shown;
     for (int i = 0; i < aspects_->count(); ++i)
         shown.append(aspects_->itemText(i));
@@ -193,7 +194,7 @@ void QualityBox::showMatrix() {
                                      .arg(table.byRule ? tr("by rule") : tr("by machine, unseen"),
                                           percentText(score.accuracy))
                                      .arg(by)
-                                     .arg(score.macroF1, 0, 'f', 2));
+                                     .arg(numberText(score.macroF1, 2)));
     const auto& current = matrix_->current();
     said_->setText(current ? matrix_->cellText(*current)
                            : tr("A click on a cell, or Enter, opens its actions."));

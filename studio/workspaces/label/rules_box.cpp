@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/project/label_judgement.h"
+#include "studio/app/core_words.h"
 #include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/segment/value_field.h"
 
@@ -162,7 +163,7 @@ QString RulesBox::changesText() const {
     QStringList parts;
     for (const RuleChange& change :
          ruleChanges(vocabulary, before_->proposals, labels_.learnt()->proposals)) {
-        const QString name = QString::fromStdString(vocabulary[change.aspect].name).toLower();
+        const QString name = vocabularyInText(vocabulary[change.aspect].name);
         parts.append(
             change.changed == 0
                 ? tr("%1: no action").arg(name)

@@ -37,11 +37,10 @@ ActionTile tileOf(const Document& document, const Vocabulary& vocabulary, const 
         return tile;
     }
     tile.mirrored = neighbour->mirrored;
-    const QString source =
-        action.anyByHand() ? sourceWords(LabelSource::Hand)
-        : action.anyAccepted()
-            ? SimilarBox::tr("accepted")
-            : QStringLiteral("p ") + QString::number(action.confidence(), 'f', 2);
+    const QString source = action.anyByHand() ? sourceWords(LabelSource::Hand)
+                           : action.anyAccepted()
+                               ? SimilarBox::tr("accepted")
+                               : QStringLiteral("p ") + numberText(action.confidence(), 2);
     tile.detail = SimilarBox::tr("%1, %2%3")
                       .arg(source, time, tile.mirrored ? SimilarBox::tr(" ⇄") : QString());
     return tile;

@@ -9,9 +9,10 @@ namespace kumite::studio {
 
 namespace {
 
-QString words(const char* text) {
-    return QCoreApplication::translate("kumite::studio::Review", text);
-}
+/// Translations of this file.
+struct Review {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::Review)
+};
 
 std::vector<Suspect> openSuspects(const Session& session) {
     std::vector<Suspect> open = suspectsOf(session);
@@ -19,16 +20,31 @@ std::vector<Suspect> openSuspects(const Session& session) {
     return open;
 }
 
-/// After a decision: the most suspicious that is left, if it is worth a look.
-void goOn(Session& session) {
+std::ptrdiff_t countSuspects(const std::vector<Suspect>& open) {
+    return std::count_if(open.begin(), open.end(),
+                         [](const Suspect& suspect) { return suspect.suspicion >= kSuspect; });
+}
+
+/// After a decision: the most suspicious that is left, if it is worth a look. `before`: how many
+/// were suspected until then.
+void goOn(Session& session, std::ptrdiff_t before) {
     const std::vector<Suspect> open = openSuspects(session);
-    if (!open.empty() && open.front().suspicion >= kSuspect) {
+    const auto left = static_cast<int>(countSuspects(open));
+    if (left > 0) {
         session.examine(open.front().boundary);
+        const auto others = static_cast<int>(before - left) - 1;
+        if (others > 0) {
+            Q_EMIT session.hinted(Review::tr("What you decided clears %n more.", nullptr, others) +
+                                  QLatin1Char(' ') +
+                                  Review::tr("%n suspect(s) left.", nullptr, left));
+        }
         return;
     }
-    Q_EMIT session.hinted(open.empty()
-                              ? words("Every minimum of this take is decided.")
-                              : words("No suspect is left. N leads through the other minima."));
+    // The same key or button again must not undo what was just decided.
+    session.select(std::nullopt);
+    Q_EMIT session.hinted(
+        open.empty() ? Review::tr("Every minimum of this take is decided.")
+                     : Review::tr("No suspect is left. N leads through the other minima."));
 }
 
 /// The mark of the selected boundary; without one, says how to get it.
@@ -38,9 +54,25 @@ const BoundaryMark* selectedMark(Session& session) {
         selected ? nearestMark(session.marks(selected->player), selected->frame, 0.5) : nullptr;
     if (mark == nullptr) {
         Q_EMIT session.hinted(
-            words("Nothing is selected. N leads to the most suspicious minimum."));
+            Review::tr("No boundary is selected. N leads to the most suspicious minimum."));
     }
     return mark;
+}
+
+void goToSuspect(Session& session, int direction) {
+    const std::vector<Suspect> open = openSuspects(session);
+    if (open.empty()) {
+        Q_EMIT session.hinted(Review::tr("No minimum is left to decide."));
+        return;
+    }
+    const auto count = static_cast<std::ptrdiff_t>(open.size());
+    const auto selected = std::find_if(open.begin(), open.end(), [&](const Suspect& suspect) {
+        return session.selection() == suspect.boundary;
+    });
+    const auto now = selected - open.begin();
+    // From elsewhere the first step leads to the most suspicious.
+    const auto next = selected == open.end() ? 0 : (now + direction + count) % count;
+    session.examine(open[static_cast<std::size_t>(next)].boundary);
 }
 
 }  // namespace
@@ -64,19 +96,8 @@ std::vector<Suspect> suspectsOf(const Session& session) {
 }
 
 void stepSuspect(Session& session, int direction) {
-    const std::vector<Suspect> open = openSuspects(session);
-    if (open.empty()) {
-        Q_EMIT session.hinted(words("No minimum is left to decide."));
-        return;
-    }
-    const auto count = static_cast<std::ptrdiff_t>(open.size());
-    const auto selected = std::find_if(open.begin(), open.end(), [&](const Suspect& suspect) {
-        return session.selection() == suspect.boundary;
-    });
-    const auto now = selected - open.begin();
-    // From elsewhere the first step leads to the most suspicious.
-    const auto next = selected == open.end() ? 0 : (now + direction + count) % count;
-    session.examine(open[static_cast<std::size_t>(next)].boundary);
+    // A suspect of settings that are just being left would be gone in a moment.
+    session.whenCurrent([&session, direction] { goToSuspect(session, direction); });
 }
 
 void acceptSuspect(Session& session) {
@@ -84,9 +105,10 @@ void acceptSuspect(Session& session) {
     if (mark == nullptr) return;
     const BoundaryRef boundary = *session.selection();
     session.whenCurrent([&session, boundary, live = mark->isLive()] {
+        const auto before = countSuspects(openSuspects(session));
         if (!live) session.setBoundaryLive(boundary, true);
         session.acceptBoundary(boundary);
-        goOn(session);
+        goOn(session, before);
     });
 }
 
@@ -94,8 +116,9 @@ void rejectSuspect(Session& session) {
     const BoundaryMark* mark = selectedMark(session);
     if (mark == nullptr) return;
     session.whenCurrent([&session, boundary = *session.selection(), live = mark->isLive()] {
+        const auto before = countSuspects(openSuspects(session));
         if (live) session.setBoundaryLive(boundary, false);
-        goOn(session);
+        goOn(session, before);
     });
 }
 

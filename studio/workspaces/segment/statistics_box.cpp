@@ -22,7 +22,9 @@ StatisticsBox::StatisticsBox(const Session& session, QWidget* parent)
         {tr("actions"), tr("Actions that the stream is cut into")},
         {tr("min/s"), tr("Minima a second that cut by themselves")},
         {tr("corr."), tr("Share of boundaries that a hand removed, moved or added")},
-        {tr("left"), tr("Suspects that nobody has decided yet")}};
+        {tr("left"),
+         tr("Suspects that nobody has decided yet. Every decision teaches what is suspect, so that "
+            "others may be cleared, too")}};
     for (int column = 0; column < kColumns; ++column) {
         auto* header = new QLabel(headers[column].text, this);
         header->setProperty("role", "second");
@@ -47,7 +49,7 @@ void StatisticsBox::refresh() {
                              const ReviewStatistics& numbers) {
         cells_[row][0]->setText(who);
         cells_[row][1]->setText(QString::number(count));
-        cells_[row][2]->setText(QString::number(numbers.minimaPerSecond(), 'f', 2));
+        cells_[row][2]->setText(numberText(numbers.minimaPerSecond(), 2));
         cells_[row][3]->setText(percentText(numbers.shareCorrected()));
         cells_[row][4]->setText(QString::number(numbers.toReview));
     };

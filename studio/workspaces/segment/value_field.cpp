@@ -1,4 +1,5 @@
 #include "studio/workspaces/segment/value_field.h"
+#include "studio/app/language.h"
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
@@ -36,7 +37,7 @@ ValueField::ValueField(const SliderScale& scale, const Look& look, QWidget* pare
     field_->setDecimals(look.decimals);
     field_->setSingleStep(look.step);
     field_->setSuffix(look.suffix);
-    field_->setLocale(QLocale::c());
+    field_->setLocale(fieldLocale());
     field_->setKeyboardTracking(false);
     field_->setAlignment(Qt::AlignRight);
     field_->setAccessibleName(look.name);

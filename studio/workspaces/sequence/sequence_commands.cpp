@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QCoreApplication>
 #include <QLineEdit>
 #include <QTableView>
 
@@ -20,12 +21,13 @@ namespace {
 
 constexpr int kLiveKeys = 9;
 
-QString text(const char* source) {
-    return QApplication::translate("kumite::studio::SequenceCommands", source);
-}
+/// Translations of this file.
+struct SequenceCommands {
+    Q_DECLARE_TR_FUNCTIONS(kumite::studio::SequenceCommands)
+};
 
 void addPlayback(CommandTable& commands, SequenceSession* sequence) {
-    const QString menu = text("Se&quence");
+    const QString menu = SequenceCommands::tr("Se&quence");
     const QString group = QLatin1Char('-') + menu;
     const auto shown = [sequence] {
         return sequence->length() > 0 || sequence->showing() == SequenceSession::Showing::Live;
@@ -33,7 +35,7 @@ void addPlayback(CommandTable& commands, SequenceSession* sequence) {
     const auto still = [sequence] { return sequence->length() > 0; };
     commands.add({"sequence.play",
                   menu,
-                  text("&Play or pause"),
+                  SequenceCommands::tr("&Play or pause"),
                   {QKeySequence("Space")},
                   [sequence] { sequence->setPlaying(!sequence->isPlaying()); },
                   shown,
@@ -44,20 +46,22 @@ void addPlayback(CommandTable& commands, SequenceSession* sequence) {
         commands.add({id, where, title, keys, std::move(run), still, {}, icon});
     };
     step(
-        "sequence.back", text("One frame back"), {QKeySequence("Left"), QKeySequence(",")},
-        [sequence] { sequence->step(-1); }, "step_back", group);
+        "sequence.back", SequenceCommands::tr("One frame back"),
+        {QKeySequence("Left"), QKeySequence(",")}, [sequence] { sequence->step(-1); }, "step_back",
+        group);
     step(
-        "sequence.on", text("One frame on"), {QKeySequence("Right"), QKeySequence(".")},
-        [sequence] { sequence->step(1); }, "step_on", menu);
+        "sequence.on", SequenceCommands::tr("One frame on"),
+        {QKeySequence("Right"), QKeySequence(".")}, [sequence] { sequence->step(1); }, "step_on",
+        menu);
     step(
-        "sequence.start", text("To the start"), {QKeySequence("Home")},
+        "sequence.start", SequenceCommands::tr("To the start"), {QKeySequence("Home")},
         [sequence] { sequence->seek(0); }, "to_begin", menu);
     step(
-        "sequence.end", text("To the end"), {QKeySequence("End")},
+        "sequence.end", SequenceCommands::tr("To the end"), {QKeySequence("End")},
         [sequence] { sequence->seek(sequence->length()); }, "to_end", menu);
     commands.add({"sequence.loop",
                   menu,
-                  text("Play it &over and over"),
+                  SequenceCommands::tr("Play it &over and over"),
                   {QKeySequence("L")},
                   [sequence] { sequence->setLooping(!sequence->isLooping()); },
                   still,
@@ -66,7 +70,7 @@ void addPlayback(CommandTable& commands, SequenceSession* sequence) {
     commands.add(
         {"sequence.live",
          group,
-         text("&Live: keys play blocks at once"),
+         SequenceCommands::tr("&Live: keys play blocks at once"),
          {QKeySequence("Ctrl+L")},
          [sequence] { sequence->setLive(sequence->showing() != SequenceSession::Showing::Live); },
          [sequence] { return sequence->library() != nullptr && !sequence->draft().blocks.empty(); },
@@ -74,7 +78,7 @@ void addPlayback(CommandTable& commands, SequenceSession* sequence) {
     for (int key = 1; key <= kLiveKeys; ++key) {
         commands.add({QStringLiteral("sequence.live%1").arg(key),
                       menu,
-                      text("Live: block %1").arg(key),
+                      SequenceCommands::tr("Live: block %1").arg(key),
                       {QKeySequence(QString::number(key))},
                       [sequence, key] { sequence->playLive(key - 1); },
                       [sequence, key] {
@@ -85,7 +89,7 @@ void addPlayback(CommandTable& commands, SequenceSession* sequence) {
     commands.add(
         {"sequence.leave",
          menu,
-         text("Back to the sequence"),
+         SequenceCommands::tr("Back to the sequence"),
          {QKeySequence("Esc")},
          [sequence] {
              sequence->setLive(false);
@@ -101,7 +105,8 @@ void trimAtPlayhead(SequenceSession& sequence, bool begin) {
     const int head =
         static_cast<int>(std::lround(sequence.seconds() * sequence.motion()->clip.rate));
     if (head <= piece->frames.begin || head >= piece->frames.end - 1) {
-        Q_EMIT sequence.session().hinted(text("The playhead is not inside the chosen block."));
+        Q_EMIT sequence.session().hinted(
+            SequenceCommands::tr("The playhead is not inside the chosen block."));
         return;
     }
     const DraftBlock& block = sequence.draft().blocks[static_cast<std::size_t>(piece->block)];
@@ -114,12 +119,12 @@ void trimAtPlayhead(SequenceSession& sequence, bool begin) {
         range.end -= piece->frames.end - head - 1;
     }
     if (range.size() < 3) return;
-    sequence.change(piece->block, text("Trim %1").arg(sequence.titleOf(block)),
+    sequence.change(piece->block, SequenceCommands::tr("Trim %1").arg(sequence.titleOf(block)),
                     [&](DraftBlock& each) { each.trim = range; });
 }
 
 void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel* panel) {
-    const QString menu = text("Se&quence");
+    const QString menu = SequenceCommands::tr("Se&quence");
     const QString group = QLatin1Char('-') + menu;
     const auto action = [panel] { return panel->chosen().has_value(); };
     const auto chosen = [sequence] { return sequence->selectedBlock().has_value(); };
@@ -128,7 +133,7 @@ void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel*
     };
     commands.add({"sequence.add",
                   group,
-                  text("&Add the chosen action"),
+                  SequenceCommands::tr("&Add the chosen action"),
                   {QKeySequence("Return"), QKeySequence("Enter")},
                   [sequence, panel] {
                       if (const auto chosenAction = panel->chosen())
@@ -140,7 +145,7 @@ void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel*
                   action});
     commands.add({"sequence.swap",
                   menu,
-                  text("S&wap the block for the chosen action"),
+                  SequenceCommands::tr("S&wap the block for the chosen action"),
                   {QKeySequence("Shift+Return")},
                   [sequence, panel, block] {
                       if (const auto chosenAction = panel->chosen())
@@ -152,7 +157,7 @@ void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel*
         commands.add(
             {id, where, title, keys, [block, act = std::move(act)] { block(act); }, chosen});
     };
-    add("sequence.remove", menu, text("&Remove the block"),
+    add("sequence.remove", menu, SequenceCommands::tr("&Remove the block"),
         {QKeySequence("Del"), QKeySequence("Backspace")},
         [sequence](int index) { sequence->remove(index); });
     const auto choose = [sequence](int direction) {
@@ -164,57 +169,60 @@ void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel*
     const auto any = [sequence] { return !sequence->draft().blocks.empty(); };
     commands.add({"sequence.previous",
                   group,
-                  text("Block before"),
+                  SequenceCommands::tr("Block before"),
                   {QKeySequence("PgUp")},
                   [choose] { choose(-1); },
                   any});
     commands.add({"sequence.next",
                   menu,
-                  text("Block after"),
+                  SequenceCommands::tr("Block after"),
                   {QKeySequence("PgDown")},
                   [choose] { choose(1); },
                   any});
-    add("sequence.earlier", menu, text("Move the block &earlier"), {QKeySequence("Alt+Left")},
-        [sequence](int index) { sequence->move(index, index - 1); });
-    add("sequence.later", menu, text("Move the block &later"), {QKeySequence("Alt+Right")},
-        [sequence](int index) { sequence->move(index, index + 1); });
-    add("sequence.more", menu, text("Once &more"), {QKeySequence("+"), QKeySequence("=")},
-        [sequence](int index) {
-            sequence->change(index, text("Repeat the block"), [](DraftBlock& each) {
+    add("sequence.earlier", menu, SequenceCommands::tr("Move the block &earlier"),
+        {QKeySequence("Alt+Left")}, [sequence](int index) { sequence->move(index, index - 1); });
+    add("sequence.later", menu, SequenceCommands::tr("Move the block &later"),
+        {QKeySequence("Alt+Right")}, [sequence](int index) { sequence->move(index, index + 1); });
+    add("sequence.more", menu, SequenceCommands::tr("Once &more"),
+        {QKeySequence("+"), QKeySequence("=")}, [sequence](int index) {
+            sequence->change(index, SequenceCommands::tr("Repeat the block"), [](DraftBlock& each) {
                 each.repeats = std::min(99, each.repeats + 1);
             });
         });
-    add("sequence.fewer", menu, text("Once less"), {QKeySequence("-")}, [sequence](int index) {
-        sequence->change(index, text("Repeat the block less"),
-                         [](DraftBlock& each) { each.repeats = std::max(1, each.repeats - 1); });
-    });
-    add("sequence.beginHere", group, text("Block begins at the playhead"), {QKeySequence("I")},
-        [sequence](int) { trimAtPlayhead(*sequence, true); });
-    add("sequence.endHere", menu, text("Block ends at the playhead"), {QKeySequence("O")},
-        [sequence](int) { trimAtPlayhead(*sequence, false); });
-    add("sequence.whole", menu, text("The whole action again"), {QKeySequence("Shift+O")},
+    add("sequence.fewer", menu, SequenceCommands::tr("Once less"), {QKeySequence("-")},
         [sequence](int index) {
-            sequence->change(index, text("Trim nothing"),
+            sequence->change(
+                index, SequenceCommands::tr("Repeat the block less"),
+                [](DraftBlock& each) { each.repeats = std::max(1, each.repeats - 1); });
+        });
+    add("sequence.beginHere", group, SequenceCommands::tr("Block begins at the playhead"),
+        {QKeySequence("I")}, [sequence](int) { trimAtPlayhead(*sequence, true); });
+    add("sequence.endHere", menu, SequenceCommands::tr("Block ends at the playhead"),
+        {QKeySequence("O")}, [sequence](int) { trimAtPlayhead(*sequence, false); });
+    add("sequence.whole", menu, SequenceCommands::tr("The whole action again"),
+        {QKeySequence("Shift+O")}, [sequence](int index) {
+            sequence->change(index, SequenceCommands::tr("Trim nothing"),
                              [](DraftBlock& each) { each.trim.reset(); });
         });
-    add("sequence.draw", group, text("&Draw the transition anew"), {QKeySequence("R")},
-        [sequence](int index) { sequence->drawAnew(index); });
+    add("sequence.draw", group, SequenceCommands::tr("&Draw the transition anew"),
+        {QKeySequence("R")}, [sequence](int index) { sequence->drawAnew(index); });
     commands.add({"sequence.drawAll",
                   menu,
-                  text("Draw all that are not locked anew"),
+                  SequenceCommands::tr("Draw all that are not locked anew"),
                   {QKeySequence("Shift+R")},
                   [sequence] { sequence->drawAnew({}); },
                   any});
-    add("sequence.lock", menu, text("Loc&k the transition, or let it go"), {QKeySequence("K")},
-        [sequence](int index) {
+    add("sequence.lock", menu, SequenceCommands::tr("Loc&k the transition, or let it go"),
+        {QKeySequence("K")}, [sequence](int index) {
             const bool locked = sequence->draft().blocks[static_cast<std::size_t>(index)].locked;
             sequence->change(index,
-                             locked ? text("Unlock the transition") : text("Lock the transition"),
+                             locked ? SequenceCommands::tr("Unlock the transition")
+                                    : SequenceCommands::tr("Lock the transition"),
                              [](DraftBlock& each) { each.locked = !each.locked; });
         });
     commands.add({"sequence.clear",
                   menu,
-                  text("Clear the sequence"),
+                  SequenceCommands::tr("Clear the sequence"),
                   {},
                   [sequence] { sequence->clear(); },
                   any});
@@ -224,7 +232,7 @@ void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel*
 
 void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, SequencePanel& panel,
                          SequenceStrip& strip, StageView& stage) {
-    const QString menu = text("Se&quence");
+    const QString menu = SequenceCommands::tr("Se&quence");
     const QString group = QLatin1Char('-') + menu;
     SequenceSession* session = &sequence;
     StageView* view = &stage;
@@ -232,7 +240,7 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
     addBlocks(commands, session, &panel);
     commands.add({"sequence.find",
                   group,
-                  text("&Find an action"),
+                  SequenceCommands::tr("&Find an action"),
                   {QKeySequence("Ctrl+F")},
                   [&panel] {
                       panel.search().setFocus();
@@ -241,26 +249,26 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
                   [session] { return session->library() != nullptr; }});
     commands.add({"sequence.all",
                   menu,
-                  text("Show all of it"),
+                  SequenceCommands::tr("Show all of it"),
                   {QKeySequence("Shift+A")},
                   [&strip] { strip.showAll(); },
                   [session] { return session->motion() != nullptr; }});
     commands.add({"sequence.map",
                   menu,
-                  text("&Map of poses"),
+                  SequenceCommands::tr("&Map of poses"),
                   {QKeySequence("V")},
                   [session] { session->setMap(!session->showsMap()); },
                   [session] { return session->library() != nullptr; },
                   [session] { return session->showsMap(); }});
     commands.add({"sequence.clips",
                   group,
-                  text("Add &clips of files…"),
+                  SequenceCommands::tr("Add &clips of files…"),
                   {QKeySequence("Ctrl+Shift+I")},
                   [session, view] { askForClips(session->session(), view->window()); },
                   [session] { return session->session().document().isOpen(); }});
     commands.add({"sequence.folder",
                   menu,
-                  text("Add clips of a f&older…"),
+                  SequenceCommands::tr("Add clips of a f&older…"),
                   {},
                   [session, view] { askForClipFolder(session->session(), view->window()); },
                   [session] { return session->session().document().isOpen(); }});
@@ -270,7 +278,7 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
     };
     commands.add({"sequence.keep",
                   group,
-                  text("Keep as a &take…"),
+                  SequenceCommands::tr("Keep as a &take…"),
                   {QKeySequence("Ctrl+T")},
                   [session, view] {
                       keepMotion(session->session(), session->writing(), session->madeMotion(),
@@ -279,7 +287,7 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
                   writable});
     commands.add({"sequence.export",
                   menu,
-                  text("E&xport the sequence…"),
+                  SequenceCommands::tr("E&xport the sequence…"),
                   {QKeySequence("Ctrl+Shift+E")},
                   [session, view] {
                       exportMotion(session->session(), session->writing(), session->madeMotion(),

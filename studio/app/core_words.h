@@ -1,0 +1,19 @@
+#pragma once
+
+#include <QString>
+
+#include <string>
+
+namespace kumite::studio {
+
+/// What the core says of its own accord, in the window's language: names of edits ("Remove boundary
+/// at 0:12.30, fighter 1"). What is not known here stays as it is.
+QString coreWords(const std::string& text);
+
+/// Names of the built-in vocabulary ("Left punch", "forward"); those of another vocabulary are its
+/// author's and stay.
+QString vocabularyWords(const std::string& name);
+/// The same within a sentence: "left punch"; where nouns keep their capital, as they stand.
+QString vocabularyInText(const std::string& name);
+
+}  // namespace kumite::studio
