@@ -44,6 +44,7 @@ void addModel(CLI::App& app, Action& action);
 void addNew(CLI::App& app, Action& action);
 void addForce(CLI::App& app, Action& action);
 void addHit(CLI::App& app, Action& action);
+void addRate(CLI::App& app, Action& action);
 void addKeyframes(CLI::App& app, Action& action);
 void addSegment(CLI::App& app, Action& action);
 void addCorrect(CLI::App& app, Action& action);

@@ -44,6 +44,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
     addSequence(app, action);
     addHit(app, action);
     addKeyframes(app, action);
+    addRate(app, action);
     addBout(app, action);
     addRelink(app, action);
     addVersions(app, action);

@@ -8,7 +8,6 @@ namespace kumite::studio {
 
 /// What a user wants of every project.
 struct PreferenceValues {
-    QString language;  ///< as useLanguage takes it; empty: the system's
     ThemeChoice theme = ThemeChoice::System;
     int textSize = 100;          ///< percent of the platform's; 100 … 200
     bool reduceMotion = false;   ///< nothing begins to move by itself
@@ -17,6 +16,7 @@ struct PreferenceValues {
     double playbackSpeed = 1.0;  ///< of a bout that is opened; 0.1 … 4
     bool looping = false;        ///< whether a bout that is opened loops
     double mouseSpeed = 1.0;     ///< turning and zooming in the 3D view; 0.25 … 4
+    QString language = {};       ///< as useLanguage takes it; empty: the system's
 
     bool operator==(const PreferenceValues&) const = default;
 };

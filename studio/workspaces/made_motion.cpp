@@ -21,7 +21,7 @@ namespace kumite::studio {
 namespace {
 
 /// Translations of this file.
-struct MadeMotion {
+struct MadeMotionWords {
     Q_DECLARE_TR_FUNCTIONS(kumite::studio::MadeMotion)
 };
 
@@ -43,8 +43,8 @@ void addClipsOf(Session& session, const QStringList& paths) {
 
 void keepMotion(Session& session, JobRunner& writing, const MadeMotion& motion, QWidget* window) {
     const QString path =
-        fileToSave(window, MadeMotion::tr("Keep the motion as a take"),
-                   suggestion(session, motion.name), MadeMotion::tr("Recordings (*.bvh)"));
+        fileToSave(window, MadeMotionWords::tr("Keep the motion as a take"),
+                   suggestion(session, motion.name), MadeMotionWords::tr("Recordings (*.bvh)"));
     if (!path.isEmpty()) keepMotionAs(session, writing, motion, path);
 }
 
@@ -52,7 +52,7 @@ void keepMotionAs(Session& session, JobRunner& writing, const MadeMotion& motion
                   const QString& path) {
     const QFileInfo info(path);
     writing.start(
-        MadeMotion::tr("Keeping the motion"),
+        MadeMotionWords::tr("Keeping the motion"),
         [project = session.document().project(), motion,
          name = info.completeBaseName().toStdString(),
          folder = info.path().toStdString()](const Progress& progress) {
@@ -69,15 +69,15 @@ void keepMotionAs(Session& session, JobRunner& writing, const MadeMotion& motion
                 }));
             if (done) {
                 Q_EMIT session.hinted(
-                    MadeMotion::tr("Kept as take %1.").arg(QString::fromStdString(take.name)));
+                    MadeMotionWords::tr("Kept as take %1.").arg(QString::fromStdString(take.name)));
             }
         });
 }
 
 void exportMotion(Session& session, JobRunner& writing, const MadeMotion& motion, QWidget* window) {
-    const QString path =
-        fileToSave(window, MadeMotion::tr("Export the motion"), suggestion(session, motion.name),
-                   MadeMotion::tr("Motion (*.bvh);;glTF: skeleton and animation (*.glb)"));
+    const QString path = fileToSave(
+        window, MadeMotionWords::tr("Export the motion"), suggestion(session, motion.name),
+        MadeMotionWords::tr("Motion (*.bvh);;glTF: skeleton and animation (*.glb)"));
     if (path.isEmpty()) return;
     rememberFolder(path);
     exportMotionTo(session, writing, motion, path);
@@ -86,7 +86,7 @@ void exportMotion(Session& session, JobRunner& writing, const MadeMotion& motion
 void exportMotionTo(Session& session, JobRunner& writing, const MadeMotion& motion,
                     const QString& path) {
     writing.start(
-        MadeMotion::tr("Writing the motion"),
+        MadeMotionWords::tr("Writing the motion"),
         [motion, path](const Progress& progress) {
             const QString suffix = QFileInfo(path).suffix().toLower();
             if (suffix == QLatin1String("bvh")) {
@@ -106,20 +106,21 @@ void exportMotionTo(Session& session, JobRunner& writing, const MadeMotion& moti
             return path;
         },
         [&session](const QString& written) {
-            Q_EMIT session.hinted(MadeMotion::tr("Written: %1").arg(written));
+            Q_EMIT session.hinted(MadeMotionWords::tr("Written: %1").arg(written));
         });
 }
 
 void askForClips(Session& session, QWidget* window) {
-    addClipsOf(session, filesToOpen(window, MadeMotion::tr("Add clips"),
-                                    QSettings().value(QStringLiteral("clipFolder")).toString(),
-                                    MadeMotion::tr("Motion and projects (*.bvh *.amc *.kumite)")));
+    addClipsOf(session,
+               filesToOpen(window, MadeMotionWords::tr("Add clips"),
+                           QSettings().value(QStringLiteral("clipFolder")).toString(),
+                           MadeMotionWords::tr("Motion and projects (*.bvh *.amc *.kumite)")));
 }
 
 void askForClipFolder(Session& session, QWidget* window) {
     if (!isAttended()) return;
     const QString folder = QFileDialog::getExistingDirectory(
-        window, MadeMotion::tr("Add all clips of a folder"),
+        window, MadeMotionWords::tr("Add all clips of a folder"),
         QSettings().value(QStringLiteral("clipFolder")).toString());
     if (!folder.isEmpty()) addClipsOf(session, {folder});
 }

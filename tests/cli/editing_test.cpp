@@ -1,6 +1,7 @@
 // kumite hit and kumite keyframes on a short demo bout.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -219,6 +220,22 @@ TEST_F(EditingCommands, KeyframesRefusesWhatItCannotDo) {
     EXPECT_EQ(
         kumite({"keyframes", player1, "--keys", path("bad.json"), "--out", path("bad.json")}).code,
         1);
+}
+
+TEST_F(EditingCommands, APageToRateHoldsEveryKindAndTheSameSeedMakesItAgain) {
+    const auto make = [&](const std::string& name) {
+        const Result result = kumite(
+            {"rate", project, "--strike", "right_punch", "--clips", "3", "--out", path(name)});
+        EXPECT_EQ(result.code, 0) << result.err;
+        EXPECT_NE(result.out.find("12 clips to rate"), std::string::npos) << result.out;
+        std::ifstream file(path(name));
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    EXPECT_EQ(make("a.html"), make("b.html"));
+    const Result none =
+        kumite({"rate", project, "--strike", "left_elbow", "--out", path("none.html")});
+    EXPECT_NE(none.code, 0);
+    EXPECT_NE(none.err.find("left_elbow"), std::string::npos) << none.err;
 }
 
 }  // namespace
