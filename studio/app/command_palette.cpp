@@ -15,6 +15,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/fuzzy_match.h"
 #include "studio/app/theme.h"
@@ -28,7 +29,10 @@ constexpr int kMenuRole = Qt::UserRole + 1;
 constexpr int kKeysRole = Qt::UserRole + 2;
 constexpr int kMatchRole = Qt::UserRole + 3;
 constexpr int kOnRole = Qt::UserRole + 4;
-constexpr int kRowHeight = 26;
+/// Of a row of the list.
+int rowHeight() {
+    return withTextSize(26);
+}
 constexpr int kMostRows = 12;
 constexpr int kMostRecent = 8;
 /// What is found in the command's own name counts most, then what people also call it, then its
@@ -54,7 +58,7 @@ public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
     QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override {
-        return {0, kRowHeight};
+        return {0, rowHeight()};
     }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
@@ -242,8 +246,8 @@ void CommandPalette::fill() {
 void CommandPalette::place() {
     const QWidget* over = parentWidget();
     const int rows = std::min(list_->count(), kMostRows);
-    list_->setFixedHeight(rows * kRowHeight + 2);
-    setFixedWidth(std::min(620, over->width() - 24));
+    list_->setFixedHeight(rows * rowHeight() + 2);
+    setFixedWidth(std::min(withTextSize(620), over->width() - 24));
     adjustSize();
     move((over->width() - width()) / 2, std::max(8, over->height() / 10));
 }

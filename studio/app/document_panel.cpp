@@ -15,6 +15,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/history_model.h"
 #include "studio/app/opening.h"
@@ -45,7 +46,7 @@ void fitHeight(QListWidget* list) {
     int height = 2;
     for (int row = 0; row < list->count(); ++row)
         height += list->sizeHintForRow(row);
-    list->setFixedHeight(std::min(height, 160));
+    list->setFixedHeight(std::min(height, withTextSize(160)));
 }
 
 }  // namespace

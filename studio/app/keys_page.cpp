@@ -9,17 +9,20 @@
 #include <QLineEdit>
 #include <QPageSize>
 #include <QPdfWriter>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
-#include <QTextDocument>
 #include <QVBoxLayout>
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/panel_parts.h"
 #include "studio/app/questions.h"
+#include "studio/help/keys_sheet.h"
 
 namespace kumite::studio {
 
@@ -58,7 +61,7 @@ QWidget* groupBox(const KeyGroup& group, QWidget* parent) {
         auto* keys = new QLabel(group.rows[i].keys, box);
         auto* text = new QLabel(group.rows[i].text, box);
         text->setProperty("role", "second");
-        keys->setFixedWidth(kKeysWidth);
+        keys->setFixedWidth(withTextSize(kKeysWidth));
         for (QLabel* label : {keys, text}) {
             label->setWordWrap(true);
             label->setAlignment(Qt::AlignTop);
@@ -93,27 +96,13 @@ std::size_t columnLength(const std::vector<KeyGroup>& groups, int columns) {
     }
 }
 
-QString htmlOf(const std::vector<KeyGroup>& groups) {
-    QString html = QStringLiteral("<h2>%1</h2>").arg(KeysPage::tr("Kumite: keys and mouse"));
-    for (const KeyGroup& group : groups) {
-        html +=
-            QStringLiteral("<h4>%1</h4><table cellspacing=\"3\">").arg(group.title.toHtmlEscaped());
-        for (const KeyGroup::Row& row : group.rows) {
-            html += QStringLiteral("<tr><td width=\"190\"><b>%1</b></td><td>%2</td></tr>")
-                        .arg(row.keys.toHtmlEscaped(), row.text.toHtmlEscaped());
-        }
-        html += QStringLiteral("</table>");
-    }
-    return html;
-}
-
 }  // namespace
 
-std::vector<KeyGroup> keyGroups(const CommandTable& commands) {
+std::vector<KeyGroup> keyGroups(const CommandTable& commands, KeysOf which) {
     std::vector<KeyGroup> groups;
     for (const Command& command : commands.commands()) {
         // Those of other workspaces are not in force.
-        const bool shown = commands.action(command.id)->isVisible();
+        const bool shown = which == KeysOf::Everything || commands.action(command.id)->isVisible();
         if (command.keys.isEmpty() || !shown) continue;
         const QString title = command.plainMenu();
         auto group = std::find_if(groups.begin(), groups.end(),
@@ -167,12 +156,16 @@ KeysPage::KeysPage(const CommandTable& commands, QWidget* parent)
     problem_->hide();
     layout->addWidget(problem_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto* print = buttons->addButton(tr("Print…"), QDialogButtonBox::ActionRole);
     auto* pdf = buttons->addButton(tr("Save as PDF…"), QDialogButtonBox::ActionRole);
     auto* remap = buttons->addButton(tr("Change keys…"), QDialogButtonBox::ActionRole);
-    pdf->setToolTip(tr("The whole sheet, to be printed."));
+    print->setToolTip(tr("The keys of all workspaces, on paper. (Ctrl+P)"));
+    print->setShortcut(QKeySequence::Print);
+    pdf->setToolTip(tr("The keys of all workspaces, as a file."));
     remap->setToolTip(tr("Gives commands other keys, in the preferences."));
-    for (QPushButton* button : {pdf, remap})
+    for (QPushButton* button : {print, pdf, remap})
         button->setAutoDefault(false);
+    connect(print, &QPushButton::clicked, this, &KeysPage::askForPrinter);
     connect(pdf, &QPushButton::clicked, this, &KeysPage::askForFile);
     connect(remap, &QPushButton::clicked, this, &KeysPage::remapWanted);
     buttons->button(QDialogButtonBox::Close)->setToolTip(tr("Close this page (Esc)"));
@@ -192,7 +185,7 @@ void KeysPage::resizeEvent(QResizeEvent* event) {
 }
 
 int KeysPage::columnCount() const {
-    return std::clamp((width() - 60) / kColumnWidth, 1, kMostColumns);
+    return std::clamp((width() - 60) / withTextSize(kColumnWidth), 1, kMostColumns);
 }
 
 void KeysPage::fill() {
@@ -235,10 +228,24 @@ bool KeysPage::saveTo(const QString& pdf) const {
     QPdfWriter writer(&file);
     writer.setTitle(windowTitle());
     writer.setPageSize(QPageSize(QPageSize::A4));
-    QTextDocument sheet;
-    sheet.setHtml(htmlOf(keyGroups(commands_)));
-    sheet.print(&writer);
+    if (!paintKeysSheet(keyGroups(commands_, KeysOf::Everything), writer)) return false;
     return file.error() == QFile::NoError;
+}
+
+bool KeysPage::printTo(QPrinter& printer) const {
+    printer.setDocName(windowTitle());
+    return paintKeysSheet(keyGroups(commands_, KeysOf::Everything), printer);
+}
+
+void KeysPage::askForPrinter() {
+    if (!isAttended()) return tell(tr("Nobody is here to choose a printer."));
+    QPrinter printer(QPrinter::HighResolution);
+    QPrintDialog dialog(&printer, this);
+    dialog.setWindowTitle(tr("Print the sheet of keys"));
+    dialog.setOption(QAbstractPrintDialog::PrintPageRange, false);
+    if (dialog.exec() != QDialog::Accepted) return;
+    problem_->setVisible(!printTo(printer));
+    problem_->setText(tr("%1 does not take the sheet.").arg(printer.printerName()));
 }
 
 void KeysPage::askForFile() {

@@ -7,6 +7,7 @@
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
+class QPrinter;
 class QScrollArea;
 
 namespace kumite::studio {
@@ -23,11 +24,15 @@ struct KeyGroup {
     std::vector<Row> rows;
 };
 
-/// The keys in force, in the order of the menus, and what the mouse does.
-std::vector<KeyGroup> keyGroups(const CommandTable& commands);
+/// Those in force in the workspace that is shown, or those of all workspaces.
+enum class KeysOf { ShownWorkspace, Everything };
+/// Keys in the order of the menus, and what the mouse does.
+std::vector<KeyGroup> keyGroups(const CommandTable& commands,
+                                KeysOf which = KeysOf::ShownWorkspace);
 
 /// All commands that have keys, in groups, and what the mouse does: made from the command table.
-/// As many columns as there is room for; can be searched and written to a PDF for the wall.
+/// As many columns as there is room for; can be searched, printed and written to a PDF for the
+/// wall, with the keys of all workspaces.
 class KeysPage : public QDialog {
     Q_OBJECT
 
@@ -36,6 +41,8 @@ public:
 
     /// Writes the whole sheet; false where the file cannot be written.
     bool saveTo(const QString& pdf) const;
+    /// The same on paper; false where the printer does not take it.
+    bool printTo(QPrinter& printer) const;
 
 Q_SIGNALS:
     /// The user wants other keys.
@@ -48,6 +55,7 @@ private:
     int columnCount() const;
     void fill();
     void askForFile();
+    void askForPrinter();
 
     const CommandTable& commands_;
     QLineEdit* search_;

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/command_palette.h"
 #include "studio/app/command_words.h"
 #include "studio/app/commands.h"
@@ -32,6 +33,7 @@
 #include "studio/app/system_theme.h"
 #include "studio/app/welcome_page.h"
 #include "studio/app/workspaces.h"
+#include "studio/help/help.h"
 #include "studio/jobs/job_bar.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/timeline/transport_bar.h"
@@ -76,6 +78,7 @@ MainWindow::MainWindow(QWidget* parent)
     setAcceptDrops(true);
     setMinimumSize(900, 560);
     commands_ = new CommandTable(this);
+    help_ = new Help(*this);
     layOut();
     addFileCommands();
     addEditCommands();
@@ -250,12 +253,14 @@ void MainWindow::shareSpace() {
     const int timeline = std::max(std::clamp(height / 4 - 12, 170, 300), wished);
     // The timeline, and what takes its place in the workspaces of made motions.
     rows_->setSizes({height - timeline - 1, timeline, timeline, timeline, timeline});
-    const int left = width() < 1600 ? 136 : 176;
-    const int right = width() < 1600 ? 240 : 272;
+    const int left = withTextSize(width() < 1600 ? 136 : 176);
+    const int right = withTextSize(width() < 1600 ? 240 : 272);
     const int middle = width() - left - right - 2;
     columns_->setSizes({left + middle + 1, right});
     upper_->setSizes({left, middle});
-    content_->setSizes({2 * middle / 5, middle - 2 * middle / 5});
+    // Tables need their names, a view needs none.
+    const int view = middle * (textSize() > 125 ? 3 : 4) / 10;
+    content_->setSizes({view, middle - view});
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

@@ -19,6 +19,7 @@ class QToolButton;
 namespace kumite::studio {
 
 class BoutSession;
+class Help;
 class HitSession;
 class KeySession;
 class SequenceSession;
@@ -76,6 +77,7 @@ public:
     LabelReview& labelReview() { return *labelReview_; }
     StageView& stage() { return *stage_; }
     TimelineView& timeline() { return *timeline_; }
+    Help& help() { return *help_; }
 
     /// Whether something is being read or computed.
     bool isBusy() const;
@@ -181,6 +183,7 @@ private:
     HitSession* hit_ = nullptr;
     GraphSession* graph_ = nullptr;
     GraphCentre* graphCentre_ = nullptr;
+    Help* help_ = nullptr;
     CommandPalette* palette_ = nullptr;
     StageView* stage_ = nullptr;
     QWidget* timelineBox_ = nullptr;
@@ -194,6 +197,7 @@ private:
     QPointer<QDialog> fighterProperties_;
     QPointer<QDialog> findingsPage_;
     ThemeChoice shownTheme_;
+    double shownTextSize_ = 100;  ///< percent
     bool panelsShown_ = true;
     PanelWidths widths_;        ///< how wide the panels are while they are hidden
     bool spaceShared_ = false;  ///< the user has laid out the window

@@ -12,9 +12,9 @@
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/main_window.h"
-#include "studio/app/questions.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/view_commands.h"
+#include "studio/help/help.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
 
@@ -293,16 +293,24 @@ void MainWindow::addViewCommands() {
                         {},
                         [this, choice = choice] { return preferences_.values().theme == choice; }});
     }
+    const auto resize = [&](const char* id, const QString& text, const QList<QKeySequence>& keys,
+                            int step) {
+        commands_->add({id, step > 0 ? grouped(menu) : menu, text, keys,
+                        [this, step] {
+                            PreferenceValues values = preferences_.values();
+                            values.textSize += step;
+                            preferences_.set(values);
+                        },
+                        [this, step] {
+                            return step > 0 ? preferences_.values().textSize < 200
+                                            : preferences_.values().textSize > 100;
+                        }});
+    };
+    resize("view.textLarger", tr("Larger text"),
+           {QKeySequence("Ctrl+Alt++"), QKeySequence("Ctrl+Alt+=")}, 25);
+    resize("view.textSmaller", tr("Smaller text"), {QKeySequence("Ctrl+Alt+-")}, -25);
     addStageCommands(*commands_, *stage_, session_);
-    const QString help = tr("&Help");
-    commands_->add(
-        {"help.keys", help, tr("&Keys and mouse"), {QKeySequence("F1")}, [this] { showKeys(); }});
-    commands_->add({"help.about", help, tr("&About Kumite"), {}, [this] {
-                        notify(this, tr("About Kumite"),
-                               tr("Kumite %1\n\nA studio for annotating two-player martial-arts "
-                                  "motion capture.")
-                                   .arg(QApplication::applicationVersion()));
-                    }});
+    help_->addCommands(*commands_, tr("&Help"));
 }
 
 void MainWindow::changeSpeed(int direction) {

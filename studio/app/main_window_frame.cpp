@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/document_panel.h"
 #include "studio/app/fighter_properties.h"
@@ -354,7 +355,15 @@ void MainWindow::applyPreferences() {
     stage_->setMouseSpeed(values.mouseSpeed);
     commands_->setText("transport.backTen", tr("%1 frames back").arg(values.leapFrames));
     commands_->setText("transport.onTen", tr("%1 frames on").arg(values.leapFrames));
-    if (values.theme != shownTheme_) applyTheme(values.theme);
+    // The window is made for text of 100 %, whatever other windows have by now.
+    const double ratio = values.textSize / shownTextSize_;
+    const bool larger = values.textSize != textSize() || ratio != 1;
+    shownTextSize_ = values.textSize;
+    setTextSize(values.textSize);
+    setMotionReduced(values.reduceMotion);
+    if (values.theme != shownTheme_ || larger) applyTheme(values.theme);
+    if (ratio != 1) rescale(*this, ratio);
+    if (larger && !spaceShared_) shareSpace();
     shownTheme_ = values.theme;
     commands_->refresh();
 }
@@ -433,7 +442,7 @@ QStringList MainWindow::keysHint() const {
         {{"boundary.previous", "boundary.next"}, tr("boundary"), !measuring},
         {{"boundary.add"}, tr("add"), !measuring && !boundary},
         {{"app.palette"}, tr("any command"), !measuring},
-        {{"help.keys"}, tr("all keys"), !measuring},
+        {{"help.open"}, tr("help"), !measuring},
     };
     QStringList parts;
     for (const Entry& entry : entries) {

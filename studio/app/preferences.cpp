@@ -16,6 +16,7 @@ PreferenceValues inRange(PreferenceValues values) {
     };
     const auto theme = static_cast<int>(values.theme);
     values.theme = static_cast<ThemeChoice>(std::clamp(theme, 0, 2));
+    values.textSize = std::clamp(values.textSize, 100, 200);
     values.autosaveSeconds = std::clamp(values.autosaveSeconds, 5, 600);
     values.leapFrames = std::clamp(values.leapFrames, 2, 1000);
     values.playbackSpeed = sane(values.playbackSpeed, 0.1, 4, fallback.playbackSpeed);
@@ -29,6 +30,8 @@ Preferences::Preferences(QObject* parent) : QObject(parent) {
     const QSettings settings;
     PreferenceValues v;
     v.theme = static_cast<ThemeChoice>(settings.value("theme", static_cast<int>(v.theme)).toInt());
+    v.textSize = settings.value("textSize", v.textSize).toInt();
+    v.reduceMotion = settings.value("reduceMotion", v.reduceMotion).toBool();
     v.language = settings.value("language").toString();
     v.autosaveSeconds = settings.value("autosaveSeconds", v.autosaveSeconds).toInt();
     v.leapFrames = settings.value("leapFrames", v.leapFrames).toInt();
@@ -45,6 +48,8 @@ void Preferences::set(PreferenceValues values) {
     QSettings settings;
     settings.setValue("language", values.language);
     settings.setValue("theme", static_cast<int>(values.theme));
+    settings.setValue("textSize", values.textSize);
+    settings.setValue("reduceMotion", values.reduceMotion);
     settings.setValue("autosaveSeconds", values.autosaveSeconds);
     settings.setValue("leapFrames", values.leapFrames);
     settings.setValue("playbackSpeed", values.playbackSpeed);

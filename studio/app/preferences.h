@@ -9,6 +9,8 @@ namespace kumite::studio {
 /// What a user wants of every project.
 struct PreferenceValues {
     ThemeChoice theme = ThemeChoice::System;
+    int textSize = 100;          ///< percent of the platform's; 100 … 200
+    bool reduceMotion = false;   ///< nothing begins to move by itself
     int autosaveSeconds = 30;    ///< 5 … 600
     int leapFrames = 10;         ///< frames that Shift+arrow goes; 2 … 1000
     double playbackSpeed = 1.0;  ///< of a bout that is opened; 0.1 … 4

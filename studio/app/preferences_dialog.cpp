@@ -7,6 +7,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QTabBar>
 #include <QTabWidget>
@@ -47,7 +48,12 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, CommandTable& com
     layout->setSpacing(12);
     pages_->setDocumentMode(true);
     pages_->tabBar()->setDrawBase(false);
-    pages_->addTab(makeGeneralPage(), tr("General"));
+    auto* general = new QScrollArea(pages_);
+    general->setFrameShape(QFrame::NoFrame);
+    general->setWidgetResizable(true);
+    general->setFocusPolicy(Qt::NoFocus);
+    general->setWidget(makeGeneralPage());
+    pages_->addTab(general, tr("General"));
     pages_->addTab(new KeyEditor(commands, pages_), tr("Keys"));
     layout->addWidget(pages_, 1);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -92,6 +98,19 @@ QWidget* PreferencesDialog::makeGeneralPage() {
              tr("Of all texts, numbers and dates in the window; files do not know it. The window "
                 "is made anew at once, with what is open in it."));
     form->addRow(tr("Language"), language);
+    auto* size = new QSpinBox(page);
+    size->setRange(100, 200);
+    size->setSingleStep(25);
+    size->setSuffix(tr(" %"));
+    describe(size, tr("Text size, percent"),
+             tr("How large all text is; pages that it makes too "
+                "large can be scrolled."));
+    form->addRow(tr("Text size"), size);
+    auto* still = new QCheckBox(tr("Reduce motion"), page);
+    describe(still, tr("Reduce motion"),
+             tr("Nothing begins to move by itself: questions and similar actions stand still until "
+                "you play them."));
+    form->addRow(QString(), still);
 
     heading(tr("Playback"));
     auto* speed = new QDoubleSpinBox(page);
@@ -135,6 +154,8 @@ QWidget* PreferencesDialog::makeGeneralPage() {
         const PreferenceValues& v = preferences_.values();
         theme->setCurrentIndex(static_cast<int>(v.theme));
         language->setCurrentIndex(std::max(0, language->findData(v.language)));
+        size->setValue(v.textSize);
+        still->setChecked(v.reduceMotion);
         speed->setValue(v.playbackSpeed * 100);
         looping->setChecked(v.looping);
         leap->setValue(v.leapFrames);
@@ -143,20 +164,27 @@ QWidget* PreferencesDialog::makeGeneralPage() {
     };
     show();
     for (QAbstractSpinBox* box :
-         {static_cast<QAbstractSpinBox*>(speed), static_cast<QAbstractSpinBox*>(leap),
-          static_cast<QAbstractSpinBox*>(mouse), static_cast<QAbstractSpinBox*>(autosave)}) {
+         {static_cast<QAbstractSpinBox*>(size), static_cast<QAbstractSpinBox*>(speed),
+          static_cast<QAbstractSpinBox*>(leap), static_cast<QAbstractSpinBox*>(mouse),
+          static_cast<QAbstractSpinBox*>(autosave)}) {
         box->setLocale(fieldLocale());
         box->setKeyboardTracking(false);
-        box->setFixedWidth(120);
+        box->setMinimumWidth(120);
     }
-    theme->setFixedWidth(160);
-    language->setFixedWidth(160);
+    theme->setMinimumWidth(160);
+    language->setMinimumWidth(160);
     connect(&preferences_, &Preferences::changed, page, show);
     connect(theme, &QComboBox::currentIndexChanged, page,
             [this](int index) { preferences_.setTheme(static_cast<ThemeChoice>(index)); });
     connect(language, &QComboBox::activated, page, [this, language] {
         change(preferences_,
                [=](PreferenceValues& v) { v.language = language->currentData().toString(); });
+    });
+    connect(size, &QSpinBox::valueChanged, page, [this](int percent) {
+        change(preferences_, [=](PreferenceValues& v) { v.textSize = percent; });
+    });
+    connect(still, &QCheckBox::toggled, page, [this](bool on) {
+        change(preferences_, [=](PreferenceValues& v) { v.reduceMotion = on; });
     });
     connect(speed, &QDoubleSpinBox::valueChanged, page, [this](double percent) {
         change(preferences_, [=](PreferenceValues& v) { v.playbackSpeed = percent / 100; });

@@ -4,6 +4,10 @@
 #include <QFont>
 #include <QStyleFactory>
 
+#include <algorithm>
+
+#include "studio/app/comfort.h"
+
 namespace kumite::studio {
 
 namespace {
@@ -63,7 +67,7 @@ QTabBar:focus { border: none; }
 QTabWidget::pane { border: none; border-top: 1px solid @line; }
 QLabel[role="heading"] { color: @second; font-weight: 600; }
 QLabel[role="second"] { color: @second; }
-QLabel[role="title"] { font-size: 20pt; font-weight: 300; }
+QLabel[role="title"] { font-size: @titlept; font-weight: 300; }
 QPushButton { background: @button; border: 1px solid @line; border-radius: 4px;
     padding: 4px 12px; }
 QPushButton:hover { background: @hover; }
@@ -117,11 +121,15 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QFrame[role="strip"] { background: @panel; border: 1px solid @line; border-radius: 6px; }
 QFrame[role="focus"] { background: transparent; border: 1px solid @accent; }
+QFrame[role="tour"] { background: @panel; border: 1px solid @accent; border-radius: 6px; }
+QFrame[role="tourMark"] { background: transparent; border: 2px solid @accent;
+    border-radius: 3px; }
 QFrame[role="separator"] { background: @line; border: none; }
 )");
     const auto put = [&sheet](const char* name, const QColor& colour) {
         sheet.replace(QLatin1String(name), colour.name());
     };
+    sheet.replace(QLatin1String("@title"), QString::number(withTextSize(20)));
     put("@panel", c.panel);
     put("@line", c.line);
     put("@text", c.text);
@@ -136,13 +144,18 @@ QFrame[role="separator"] { background: @line; border: none; }
     return sheet;
 }
 
-bool giveStyleAndFont() {
+/// The size of text at 100 %, points; gives the style on the way.
+double giveStyle() {
     QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    const double points = QApplication::font().pointSizeF();
+    return points > 0 ? std::clamp(points, 9.0, 10.0) : 10.0;
+}
+
+void giveFont(double points) {
     QFont font = QApplication::font();
-    if (font.pointSizeF() > 10.0) font.setPointSizeF(10.0);
-    if (font.pointSizeF() > 0 && font.pointSizeF() < 9.0) font.setPointSizeF(9.0);
+    if (font.pointSizeF() == points) return;
+    font.setPointSizeF(points);
     QApplication::setFont(font);
-    return true;
 }
 
 }  // namespace
@@ -165,7 +178,7 @@ const Colours& colours(bool dark) {
                                       QColor("#5b6068"),
                                       QColor("#ffb000"),
                                       {QColor("#d55e00"), QColor("#56b4e9")},
-                                      {QColor("#b85000"), QColor("#1f7fb8")}};
+                                      {QColor("#b85000"), QColor("#1b74a9")}};
     return dark ? darkColours : lightColours;
 }
 
@@ -183,9 +196,9 @@ void applyTheme(ThemeChoice choice) {
     const bool systemIsDark = desktopDark().value_or(platformIsDark);
     const bool dark =
         choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemIsDark);
-    // Style and font are the same in every theme; each would be given to every widget anew.
-    static const bool styled = giveStyleAndFont();
-    Q_UNUSED(styled);
+    // Each is given to every widget anew: only where it is another one.
+    static const double points = giveStyle();
+    giveFont(points * textSize() / 100);
     QApplication::setPalette(paletteOf(colours(dark)));
     qApp->setStyleSheet(styleSheetOf(colours(dark)));
 }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/recent_files.h"
 #include "studio/app/welcome_picture.h"
@@ -68,7 +69,8 @@ WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
     auto* page = new QWidget(this);
     auto* picture = new WelcomePicture(page);
     auto* column = new QWidget(page);
-    column->setFixedWidth(picture->width());
+    column->setMinimumWidth(picture->width());
+    column->setMaximumWidth(std::max(picture->width(), withTextSize(picture->width())));
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 16, 0, 16);
     layout->setSpacing(6);
@@ -115,14 +117,15 @@ WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
 void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
     column->addWidget(label(tr("Begin"), "heading", this));
     bool first = true;
-    for (const char* id : {"file.openDemo", "file.openRecordings", "file.openProject"}) {
+    for (const char* id :
+         {"file.openDemo", "file.openRecordings", "file.openProject", "help.tour"}) {
         const Command* command = commands.find(QLatin1String(id));
         if (command == nullptr) continue;
         QAction* action = commands.action(command->id);
         auto* button = new QPushButton(command->plainText(), this);
         button->setProperty("role", first ? "step" : "");
         button->setMinimumHeight(34);
-        button->setFixedWidth(220);
+        button->setMinimumWidth(220);
         commands.tellKey(button, command->id);
         connect(button, &QPushButton::clicked, action, &QAction::trigger);
         column->addWidget(button);
@@ -133,7 +136,7 @@ void WelcomePage::addSteps(CommandTable& commands, QVBoxLayout* column) {
     auto* drop = label(tr("Or drop recordings (BVH, or AMC with its ASF) or a project on this "
                           "window."),
                        "second", this);
-    drop->setFixedWidth(220);
+    drop->setMinimumWidth(220);
     column->addWidget(drop);
     column->addStretch(1);
     setFocusProxy(steps_.front());

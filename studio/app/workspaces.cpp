@@ -3,16 +3,32 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolButton>
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/icons.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
+
+namespace {
+
+/// Percent of text size: all names; that of the shown workspace alone.
+constexpr int kNamesUpTo = 125;
+constexpr int kNameUpTo = 150;
+
+/// Large names leave no room for the menus: then the chosen tab alone, or none, has its name.
+Qt::ToolButtonStyle styleOf(bool chosen) {
+    const bool named = textSize() <= (chosen ? kNameUpTo : kNamesUpTo);
+    return named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
+}
+
+}  // namespace
 
 Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QStackedWidget* centres,
                        QObject* parent)
@@ -21,7 +37,15 @@ Workspaces::Workspaces(CommandTable& commands, QStackedWidget* panels, QStackedW
 }
 
 void Workspaces::add(Workspace workspace) {
-    panels_->addWidget(workspace.panel);
+    // What large text makes too high is scrolled.
+    auto* scroll = new QScrollArea(panels_);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(workspace.panel);
+    scroll->setMinimumWidth(workspace.panel->minimumWidth());
+    panels_->addWidget(scroll);
     if (workspace.centre != nullptr) centres_->addWidget(workspace.centre);
     if (workspace.addCommands) commands_.addFor(workspace.id, workspace.addCommands);
     const QString id = workspace.id;
@@ -52,7 +76,7 @@ void Workspaces::show(const QString& id) {
                                     [&](const Workspace& each) { return each.id == id; });
     if (found == all_.end() || current_ == id) return;
     current_ = id;
-    panels_->setCurrentWidget(found->panel);
+    panels_->setCurrentIndex(static_cast<int>(found - all_.begin()));
     if (found->centre != nullptr) centres_->setCurrentWidget(found->centre);
     centres_->setVisible(found->centre != nullptr);
     commands_.showWorkspace(id);
@@ -76,14 +100,17 @@ void WorkspaceBar::refresh() {
     for (std::size_t i = 0; i < workspaces_.all().size(); ++i) {
         const Workspace& workspace = workspaces_.all()[i];
         QToolButton* tab = tabs[static_cast<qsizetype>(i)];
+        const bool chosen = workspace.id == workspaces_.current();
         tab->setIcon(lineIcon(workspace.icon, colour));
-        tab->setChecked(workspace.id == workspaces_.current());
+        tab->setToolButtonStyle(styleOf(chosen));
+        tab->setChecked(chosen);
     }
 }
 
 void WorkspaceBar::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) refresh();
+    if (event->type() == QEvent::FontChange) fill();
 }
 
 void WorkspaceBar::fill() {
@@ -110,10 +137,11 @@ void WorkspaceBar::fill() {
         auto* button = new QToolButton(this);
         button->setText(workspace.name);
         button->setIcon(lineIcon(workspace.icon, c.text));
-        button->setIconSize({16, 16});
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setIconSize(QSize(16, 16) * textSize() / 100);
+        const bool chosen = workspace.id == workspaces_.current();
+        button->setToolButtonStyle(styleOf(chosen));
         button->setCheckable(true);
-        button->setChecked(workspace.id == workspaces_.current());
+        button->setChecked(chosen);
         button->setProperty("role", "workspace");
         button->setFocusPolicy(Qt::TabFocus);
         button->setAccessibleName(tr("%1 workspace").arg(workspace.name));

@@ -5,9 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
+#include "studio/app/colour_vision.h"
+#include "studio/app/comfort.h"
 #include "studio/timeline/level_of_detail.h"
 #include "studio/timeline/track_painter.h"
 
@@ -15,11 +18,18 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr double kUsualLane = 14;
+double usualLane() {
+    return withTextSize(14.0);
+}
 constexpr double kLowestLane = 8;
-constexpr double kStrip = 14;
-constexpr int kNarrow = 3;         ///< pixels up to which a block has neither hatching nor outline
-constexpr double kTextWidth = 26;  ///< of a block that has its qualifier written in it
+double stripHeight() {
+    return withTextSize(14.0);
+}
+constexpr int kNarrow = 3;  ///< pixels up to which a block has neither hatching nor outline
+/// Of a block that has its qualifier written in it
+double textWidth() {
+    return withTextSize(26.0);
+}
 
 double relativeLuminance(const QColor& colour) {
     const auto linear = [](double c) {
@@ -78,16 +88,18 @@ public:
         }
         const Ink& ink = inkOf(lane, cell);
         painter_.fillRect(block, ink.fill);
+        if (ink.pattern != Qt::NoBrush)
+            painter_.fillRect(block, QBrush(withAlpha(ink.letters, 0.45), ink.pattern));
         if (cell.uncertain) painter_.fillRect(block, QBrush(ink.colour, Qt::BDiagPattern));
         if (cell.look == LaneLook::Rule || cell.uncertain) {
             painter_.setPen(QPen(ink.outline, 1));
             painter_.setBrush(Qt::NoBrush);
             painter_.drawRect(block.adjusted(0, 0, -1, -1));
         }
-        if (!withText || block.width() < kTextWidth) return;
+        if (!withText || block.width() < textWidth()) return;
         painter_.setPen(ink.letters);
         const int room = block.width() - 6;
-        if (cell.uncertain) {
+        if (cell.uncertain || ink.pattern != Qt::NoBrush) {
             // Letters on hatching cannot be read.
             const int width = std::min(room, painter_.fontMetrics().horizontalAdvance(ink.text));
             painter_.fillRect(
@@ -101,6 +113,7 @@ private:
     /// In what a kind of cell is painted. There are few kinds and thousands of cells.
     struct Ink {
         QColor colour, fill, outline, letters;
+        Qt::BrushStyle pattern = Qt::NoBrush;  ///< besides the colour, for every eye
         QRgb narrow = 0;  ///< where there is room for neither hatching nor outline
         QString text;
     };
@@ -138,6 +151,20 @@ private:
         return *inks[index];
     }
 
+    Qt::BrushStyle patternOf(int lane, int value) const {
+        std::vector<QColor> colours;
+        for (int i = 0; i <= value; ++i)
+            colours.push_back(classColour(lanes_.valueColour(lane, i), colours_));
+        // Painted many times a second, of few kinds.
+        static std::map<std::vector<QRgb>, Qt::BrushStyle> known;
+        std::vector<QRgb> key;
+        for (const QColor& colour : colours)
+            key.push_back(colour.rgb());
+        const auto found = known.find(key);
+        if (found != known.end()) return found->second;
+        return known[key] = classPatterns(colours).back();
+    }
+
     Ink makeInk(int lane, const LaneCell& cell) const {
         Ink ink;
         if (cell.look == LaneLook::Nothing) {
@@ -146,6 +173,7 @@ private:
             return ink;
         }
         ink.colour = classColour(lanes_.valueColour(lane, cell.value), colours_);
+        ink.pattern = patternOf(lane, cell.value);
         const double share = cell.look == LaneLook::Hand       ? 1.0
                              : cell.look == LaneLook::Accepted ? 0.62
                              : cell.look == LaneLook::Proposed ? 0.38
@@ -191,7 +219,7 @@ int LanePlace::laneAt(double y, int count) const {
 double laneHeight(double room, int count) {
     if (count == 0) return 0;
     const double each = std::floor(room / count);
-    return each >= kLowestLane ? std::min(each, kUsualLane) : 0;
+    return each >= kLowestLane ? std::min(each, usualLane()) : 0;
 }
 
 double contrastOf(const QColor& a, const QColor& b) {
@@ -215,10 +243,10 @@ void paintLanes(QPainter& painter, const LaneSource& lanes, const Session& sessi
     if (fighter == nullptr || count == 0 || place.area.isEmpty()) return;
     const auto& actions = fighter->segmentation->actions;
     const int rows = place.collapsed ? 1 : count;
-    const double height = place.collapsed ? kStrip : place.height;
+    const double height = place.collapsed ? stripHeight() : place.height;
     painter.setRenderHint(QPainter::Antialiasing, false);
     QFont small = painter.font();
-    small.setPixelSize(std::clamp(static_cast<int>(height) - 1, 8, 11));
+    small.setPixelSize(std::clamp(static_cast<int>(height) - 1, 8, withTextSize(11)));
     const QFont font = painter.font();
     painter.setFont(small);
 

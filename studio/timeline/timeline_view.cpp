@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/timeline/lanes.h"
@@ -17,9 +18,15 @@
 namespace kumite::studio {
 
 namespace {
-constexpr double kLeftGutter = 118;
-constexpr double kRightGutter = 48;
-constexpr double kRulerHeight = 22;
+double leftGutter() {
+    return withTextSize(118.0);
+}
+double rightGutter() {
+    return withTextSize(48.0);
+}
+double rulerHeight() {
+    return withTextSize(22.0);
+}
 constexpr double kHandle = 14;
 }  // namespace
 
@@ -55,12 +62,12 @@ TimelineView::TimelineView(Session& session, QWidget* parent)
 
 TimeMapping TimelineView::mapping() const {
     const TimeSpan visible = session_.visible();
-    return {visible.begin, visible.end, kLeftGutter,
-            std::max(10.0, width() - kLeftGutter - kRightGutter)};
+    return {visible.begin, visible.end, leftGutter(),
+            std::max(10.0, width() - leftGutter() - rightGutter())};
 }
 
 QRectF TimelineView::ruler() const {
-    return QRectF(0, 0, width(), kRulerHeight);
+    return QRectF(0, 0, width(), rulerHeight());
 }
 
 QPointF TimelineView::pointOf(const BoundaryRef& boundary) const {
@@ -127,12 +134,12 @@ QSize TimelineView::sizeHint() const {
 }
 
 void TimelineView::layOut() {
-    const double height = std::max(10.0, this->height() - kRulerHeight);
+    const double height = std::max(10.0, this->height() - rulerHeight());
     for (std::size_t i = 0; i < tracks_.size(); ++i) {
         const double each = height / static_cast<double>(tracks_.size());
-        const double top = std::round(kRulerHeight + each * static_cast<double>(i));
-        const double bottom = std::round(kRulerHeight + each * static_cast<double>(i + 1));
-        tracks_[i].setGeometry(QRectF(0, top, width(), bottom - top), kLeftGutter, kRightGutter,
+        const double top = std::round(rulerHeight() + each * static_cast<double>(i));
+        const double bottom = std::round(rulerHeight() + each * static_cast<double>(i + 1));
+        tracks_[i].setGeometry(QRectF(0, top, width(), bottom - top), leftGutter(), rightGutter(),
                                lanes_ ? lanes_->laneCount() : 0);
     }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
+
 namespace kumite::studio {
 
 bool Track::setFighter(const FighterAnalysis* fighter, const TimelineOptions& options,
@@ -53,14 +55,14 @@ void Track::makeHeight(const FighterAnalysis& fighter) {
 }
 
 void Track::setGeometry(const QRectF& row, double leftGutter, double rightGutter, int laneCount) {
-    constexpr double kStripHeight = 14;
+    const double stripHeight = withTextSize(14.0);
     constexpr double kTop = 6;
     constexpr double kGap = 8;
     constexpr double kLowestPlot = 26;
     row_ = row;
     const double left = row.left() + leftGutter;
     const double width = row.width() - leftGutter - rightGutter;
-    double bottom = row.bottom() - 4 - kStripHeight;
+    double bottom = row.bottom() - 4 - stripHeight;
     lanes_ = {};
     if (laneCount > 0) {
         const auto rows = static_cast<double>(wished_.speeds.size());
@@ -68,11 +70,11 @@ void Track::setGeometry(const QRectF& row, double leftGutter, double rightGutter
             bottom - 2 - (row.top() + kTop) - kGap * rows - kLowestPlot * (1 + 0.5 * rows);
         lanes_.height = laneHeight(room, laneCount);
         lanes_.collapsed = lanes_.height == 0;
-        const double height = lanes_.collapsed ? kStripHeight : lanes_.height * laneCount;
+        const double height = lanes_.collapsed ? stripHeight : lanes_.height * laneCount;
         bottom -= height + 2;
-        lanes_.area = QRectF(left, bottom + kStripHeight + 2, width, height);
+        lanes_.area = QRectF(left, bottom + stripHeight + 2, width, height);
     }
-    strip_ = QRectF(left, bottom, width, kStripHeight);
+    strip_ = QRectF(left, bottom, width, stripHeight);
     // Speeds get half as much room as the force each.
     const auto rows = static_cast<double>(wished_.speeds.size());
     const double room = bottom - 3 - (row.top() + kTop) - kGap * rows;

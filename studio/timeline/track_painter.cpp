@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/words.h"
 #include "studio/timeline/curve_painter.h"
 #include "studio/timeline/mark_painter.h"
@@ -125,7 +126,8 @@ void TrackPainter::paintForceAxis(const Track& track) {
         painter_.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         if (half % step != 0) continue;
         painter_.setPen(colours_.secondText);
-        painter_.drawText(QRectF(plot.left() - 34, y - lineHeight / 2, 29, lineHeight),
+        painter_.drawText(QRectF(plot.left() - withTextSize(34), y - lineHeight / 2,
+                                 withTextSize(29), lineHeight),
                           Qt::AlignRight | Qt::AlignVCenter, QString::number(weight));
     }
     painter_.setPen(withAlpha(colours_.secondText, 0.9));
@@ -134,7 +136,7 @@ void TrackPainter::paintForceAxis(const Track& track) {
         return;
     }
     const auto height = [&](double metres, double y) {
-        painter_.drawText(QRectF(plot.right() + 5, y, 40, lineHeight), Qt::AlignLeft,
+        painter_.drawText(QRectF(plot.right() + 5, y, withTextSize(40), lineHeight), Qt::AlignLeft,
                           tr("%1 m").arg(numberText(metres, 1)));
     };
     height(track.heightAxis().high, plot.top() - 3);
@@ -152,7 +154,8 @@ void TrackPainter::paintSpeedAxis(const SpeedRow& row, int player) {
         painter_.drawLine(QPointF(row.plot.left(), pixel), QPointF(row.plot.right(), pixel));
     }
     painter_.setPen(colours_.secondText);
-    painter_.drawText(QRectF(row.plot.left() - 34, row.plot.top() - 3, 29, lineHeight),
+    painter_.drawText(QRectF(row.plot.left() - withTextSize(34), row.plot.top() - 3,
+                             withTextSize(29), lineHeight),
                       Qt::AlignRight, QString::number(row.axis.high));
     const double left = 12;
     const QString text = row.hands ? tr("hands, m/s") : tr("feet, m/s");

@@ -42,9 +42,11 @@ TransportBar::TransportBar(Session& session, CommandTable& commands, QWidget* pa
     speed_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("−0.10×")));
     speed_->setToolTip(tr("Playback speed: - slower, + faster"));
     layout->addWidget(speed_);
-    layout->addStretch(1);
     selection_->setProperty("role", "second");
-    layout->addWidget(selection_);
+    // A long text asks for no wider window.
+    selection_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    selection_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    layout->addWidget(selection_, 1);
     layout->addSpacing(8);
     addRowChooser(commands, layout);
     connect(&session_.transport(), &Transport::moved, this, &TransportBar::showMoment);
@@ -85,24 +87,35 @@ void TransportBar::showMoment() {
     const FighterAnalysis* fighter = session_.fighter(player);
     frame_->setText(fighter ? tr("frame %1").arg(session_.shownFrame(player)) : QString());
     if (const auto& selected = session_.selection()) {
-        selection_->setText(
-            tr("selected: boundary of %1 at %2")
-                .arg(fighterText(selected->player), timeText(session_.timeOf(*selected))));
+        selected_ = tr("selected: boundary of %1 at %2")
+                        .arg(fighterText(selected->player), timeText(session_.timeOf(*selected)));
     } else if (const auto& action = session_.selectedAction()) {
         const TimeSpan span = session_.spanOf(*action);
         const QString note = session_.noteOf(*action);
         const QString text =
             tr("selected: action of %1, %2 to %3")
                 .arg(fighterText(action->player), timeText(span.begin), timeText(span.end));
-        selection_->setText(
-            note.isEmpty() ? text
-                           : text + QStringLiteral(" · ") +
-                                 fontMetrics().elidedText(note, Qt::ElideRight,
-                                                          30 * fontMetrics().averageCharWidth()));
+        selected_ = note.isEmpty()
+                        ? text
+                        : text + QStringLiteral(" · ") +
+                              fontMetrics().elidedText(note, Qt::ElideRight,
+                                                       30 * fontMetrics().averageCharWidth());
         selection_->setToolTip(note);
     } else {
-        selection_->setText(fighter ? tr("active: %1").arg(fighterText(player)) : QString());
+        selected_ = fighter ? tr("active: %1").arg(fighterText(player)) : QString();
     }
+    fitSelection();
+}
+
+void TransportBar::fitSelection() {
+    selection_->setText(
+        selection_->fontMetrics().elidedText(selected_, Qt::ElideRight, selection_->width()));
+}
+
+void TransportBar::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    layout()->activate();
+    fitSelection();
 }
 
 void TransportBar::showState() {

@@ -17,16 +17,21 @@ class TransportBar : public QWidget {
 public:
     TransportBar(Session& session, CommandTable& commands, QWidget* parent = nullptr);
 
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
 private:
     void addRowChooser(CommandTable& commands, QHBoxLayout* layout);
     void showMoment();
     void showState();
+    void fitSelection();
 
     Session& session_;
     QLabel* time_;
     QLabel* frame_;
     QLabel* speed_;
     QLabel* selection_;
+    QString selected_;  ///< all that it would say if there were room
 };
 
 }  // namespace kumite::studio

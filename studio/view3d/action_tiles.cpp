@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/grid_keys.h"
 #include "studio/app/theme.h"
 #include "studio/view3d/bones.h"
@@ -130,6 +131,7 @@ ActionTiles::ActionTiles(QWidget* parent)
     scene_->canvas->setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Similar actions"));
+    setAccessibleDescription(tr("Those that look most like the current action, side by side."));
     timer_.setInterval(kQuickest);
     connect(&timer_, &QTimer::timeout, this, &ActionTiles::advance);
 }
@@ -270,7 +272,8 @@ void ActionTiles::advance() {
     if (tiles_.empty()) return;
     const double length = std::max(0.2, tiles_.front().end - tiles_.front().begin);
     const double now = std::fmod(clock_.elapsed() / 1000.0, length + kHold);
-    phase_ = std::min(1.0, now / length);
+    // With less motion they stand still but under the pointer.
+    phase_ = isMotionReduced() && !underMouse() ? 0.5 : std::min(1.0, now / length);
     QElapsedTimer cost;
     cost.start();
     showPoses();

@@ -100,6 +100,8 @@ struct GraphView::Drawing {
 
 GraphView::GraphView(QWidget* parent) : QWidget(parent), drawing_(std::make_unique<Drawing>(this)) {
     setAccessibleName(tr("Graph of transitions"));
+    setAccessibleDescription(tr(
+        "A node is a label, an edge leads to what follows. A click shows the moments behind it."));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setMinimumSize(200, 140);

@@ -26,8 +26,11 @@
 #include "studio/app/message_strip.h"
 #include "studio/app/recovery_dialog.h"
 #include "studio/app/versions_dialog.h"
+#include "studio/app/workspaces.h"
+#include "studio/help/whats_this.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/label/label_exchange.h"
 #include "tests/studio/synthetic_bout.h"
 
 namespace kumite::studio {
@@ -180,6 +183,42 @@ TEST_F(EveryControl, OfTheWindow) {
     expectDescribed(window_.get());
 }
 
+/// All that a workspace shows once there is something to show says what it is.
+TEST_F(EveryControl, OfEveryWorkspace) {
+    window_->commands().run("file.openDemo");
+    settle();
+    ASSERT_TRUE(session().document().isOpen());
+    window_->findChild<LabelExchange*>()->takeOver();
+    settle();
+    const auto look = [this](const QString& at) {
+        settle();
+        SCOPED_TRACE(at.toStdString());
+        expectDescribed(window_.get());
+        for (QWidget* widget : controlsOf(window_.get())) {
+            SCOPED_TRACE(told(widget));
+            const bool area = qobject_cast<QScrollArea*>(widget) != nullptr;
+            EXPECT_TRUE(area || !whatsThisOf(*widget, window_->commands()).isEmpty());
+        }
+    };
+    const QMap<QString, QStringList> states = {
+        {"segment", {"segment.compare"}},
+        {"label",
+         {"label.page.similar", "label.page.quality", "label.page.rules", "label.page.compare",
+          "label.find", "label.page.label"}},
+        {"graph", {"graph.view", "graph.space", "graph.nextSurprise"}},
+        {"bout", {"bout.avatar", "bout.passive", "bout.automatic"}},
+        {"sequence", {"sequence.add", "sequence.map", "sequence.live"}},
+        {"keyframe", {"keys.add", "keys.hit"}}};
+    for (const Workspace& workspace : window_->workspaces().all()) {
+        window_->workspaces().show(workspace.id);
+        look(workspace.id);
+        for (const QString& command : states[workspace.id]) {
+            window_->commands().run(command);
+            look(command);
+        }
+    }
+}
+
 TEST_F(EveryControl, ShowsThatTheKeyboardHasLedToIt) {
     openBout();
     auto* frame = timeline().findChild<FocusFrame*>();
@@ -217,7 +256,7 @@ TEST_F(EveryControl, OfThePagesBesideTheWindow) {
     ASSERT_TRUE(window_->files().saveTo(file("bout.kumite")));
     window_->messages().showFindings("Found in a file", {{Severity::Note, "A remark."}});
     for (const char* id :
-         {"help.keys", "fighter.properties", "project.findings", "file.versions"}) {
+         {"help.open", "help.keys", "fighter.properties", "project.findings", "file.versions"}) {
         SCOPED_TRACE(id);
         window_->commands().run(id);
         settle();

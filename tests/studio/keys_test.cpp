@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPrinter>
 #include <QPushButton>
 #include <QSettings>
 #include <QTest>
@@ -306,6 +307,23 @@ TEST_F(WindowTest, SheetOfKeysIsSearchedAndSaved) {
     ASSERT_TRUE(pdf.open(QIODevice::ReadOnly));
     EXPECT_TRUE(pdf.read(5).startsWith("%PDF-"));
     EXPECT_FALSE(page.saveTo(file("nowhere/keys.pdf")));
+    // On paper, too; the printer is a file here. All workspaces' keys, not those in force alone.
+    QPrinter printer;
+    printer.setOutputFormat(QPrinter::PdfFormat);
+    printer.setOutputFileName(file("printed.pdf"));
+    ASSERT_TRUE(page.printTo(printer));
+    QFile printed(file("printed.pdf"));
+    ASSERT_TRUE(printed.open(QIODevice::ReadOnly));
+    const QByteArray paper = printed.readAll();
+    EXPECT_TRUE(paper.startsWith("%PDF"));
+    EXPECT_GT(paper.count("/Type /Page\n"), 1);
+    const auto rows = [&](KeysOf which) {
+        std::size_t count = 0;
+        for (const KeyGroup& group : keyGroups(window_->commands(), which))
+            count += group.rows.size();
+        return count;
+    };
+    EXPECT_GT(rows(KeysOf::Everything), 2 * rows(KeysOf::ShownWorkspace));
 }
 
 }  // namespace

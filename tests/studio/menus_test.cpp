@@ -214,7 +214,7 @@ TEST_F(Welcome, ArrowKeysLeadFromChoiceToChoiceAndReturnTakesOne) {
     EXPECT_EQ(focused(), "Open recordings…");
     key(Qt::Key_Up);
     key(Qt::Key_Up);
-    EXPECT_EQ(focused(), "Open project…");
+    EXPECT_EQ(focused(), "Tour on the demo bout");
     key(Qt::Key_Home);
     EXPECT_EQ(focused(), "Open the demo bout");
     key(Qt::Key_Right);

@@ -310,6 +310,8 @@ void BoutPanel::showSettings() {
     const bool automatic = wanted.mode == BoutMode::Automatic;
     whoText_->setText(passive ? tr("attacker") : tr("avatar"));
     who_->setAccessibleName(passive ? tr("Who attacks") : tr("Who is led"));
+    who_->setToolTip(passive ? tr("The fighter that replays a captured attack")
+                             : tr("The fighter that keys and clicks on the floor lead"));
     who_->setCurrentIndex(passive ? wanted.attacker : wanted.avatar);
     whoText_->setVisible(!automatic);
     who_->setVisible(!automatic);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/timeline/wheel.h"
@@ -15,8 +16,12 @@
 namespace kumite::studio {
 
 namespace {
-constexpr double kRuler = 20;
-constexpr double kLeft = 84;
+double rulerHeight() {
+    return withTextSize(20.0);
+}
+double leftGutter() {
+    return withTextSize(84.0);
+}
 constexpr double kShortest = 2, kLongest = 600;  // seconds visible
 constexpr double kAhead = 0.25;  // share of the view that stays free before the head
 }  // namespace
@@ -44,12 +49,13 @@ QSize BoutStrip::sizeHint() const {
 }
 
 TimeMapping BoutStrip::mapping() const {
-    return {begin_, begin_ + length_, kLeft, std::max(10.0, width() - kLeft - 12)};
+    return {begin_, begin_ + length_, leftGutter(), std::max(10.0, width() - leftGutter() - 12)};
 }
 
 QRectF BoutStrip::rowOf(int player) const {
-    const double height = (this->height() - kRuler - 6) / 2;
-    return {kLeft, kRuler + player * (height + 3), std::max(10.0, width() - kLeft - 12), height};
+    const double height = (this->height() - rulerHeight() - 6) / 2;
+    return {leftGutter(), rulerHeight() + player * (height + 3),
+            std::max(10.0, width() - leftGutter() - 12), height};
 }
 
 QRectF BoutStrip::rectOf(const Block& block) const {
@@ -150,20 +156,20 @@ void BoutStrip::paintEvent(QPaintEvent*) {
         const QRectF row = rowOf(player);
         painter.fillRect(QRectF(0, row.top(), 4, row.height()), c.fighters[player]);
         painter.setPen(player == bout_.player() ? c.text : c.secondText);
-        painter.drawText(QRectF(12, row.top(), kLeft - 16, row.height()),
+        painter.drawText(QRectF(12, row.top(), leftGutter() - 16, row.height()),
                          Qt::AlignLeft | Qt::AlignVCenter, fighterText(player));
     }
     if (bout_.tape() == nullptr) return;
     const TimeMapping map = mapping();
     painter.save();
-    painter.setClipRect(QRectF(kLeft, 0, map.width, height()));
+    painter.setClipRect(QRectF(leftGutter(), 0, map.width, height()));
     const double step = rulerStep(map.pixelsPerSecond(), 70);
     for (double t = step * std::floor(map.begin / step); t <= map.end; t += step) {
         const double x = std::round(map.xOf(t)) + 0.5;
         painter.setPen(c.line);
-        painter.drawLine(QPointF(x, kRuler - 5), QPointF(x, height()));
+        painter.drawLine(QPointF(x, rulerHeight() - 5), QPointF(x, height()));
         painter.setPen(c.secondText);
-        painter.drawText(QRectF(x + 3, 0, 90, kRuler - 2), Qt::AlignLeft | Qt::AlignVCenter,
+        painter.drawText(QRectF(x + 3, 0, 90, rulerHeight() - 2), Qt::AlignLeft | Qt::AlignVCenter,
                          timeText(t, step < 0.1 ? 0.01
                                      : step < 1 ? 0.1
                                                 : 1.0));
@@ -194,7 +200,7 @@ void BoutStrip::mousePressEvent(QMouseEvent* event) {
     pressed_ = event->position();
     dragged_ = false;
     scrubbing_ = true;
-    if (pressed_.y() < kRuler) {
+    if (pressed_.y() < rulerHeight()) {
         bout_.setPlaying(false);
         scrubTo(pressed_.x());
         dragged_ = true;

@@ -25,6 +25,9 @@ constexpr double kLargestFitted = 34;
 
 MatrixView::MatrixView(QWidget* parent) : QAbstractScrollArea(parent) {
     setAccessibleName(tr("Matrix of transitions"));
+    setAccessibleDescription(tr(
+        "A row is what goes on, a column what follows. Arrows lead from cell to cell; the moments "
+        "behind the chosen one are listed beside it."));
     setFocusPolicy(Qt::StrongFocus);
     setFrameShape(QFrame::NoFrame);
     viewport()->setMouseTracking(true);

@@ -50,9 +50,11 @@ NodePage::NodePage(GraphSession& graph, QWidget* parent)
         tr("Of each side only what it does more often than the other, as wide as the difference"));
     least_->setRange(0, kLeastSteps);
     least_->setAccessibleName(tr("Least probability of an edge"));
+    least_->setToolTip(tr("Edges that are less probable are not drawn."));
     most_->setRange(1, kMostEdges);
     most_->setValue(options_.most);
     most_->setAccessibleName(tr("Most edges from a node"));
+    most_->setToolTip(tr("So many edges of each node are drawn, the likeliest ones."));
     layOut();
     connect(space_, &QToolButton::toggled, this, &NodePage::setInSpace);
     connect(cross_, &QCheckBox::toggled, this, [this](bool on) {

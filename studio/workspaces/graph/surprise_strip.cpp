@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/timeline/timeline_view.h"
@@ -16,7 +17,9 @@
 namespace kumite::studio {
 
 namespace {
-constexpr double kRow = 24;
+double rowHeight() {
+    return withTextSize(24.0);
+}
 constexpr double kBar = 3;
 constexpr double kReach = 5;        // pixels
 constexpr double kMostGuesses = 6;  ///< even guesses that fill a row at most
@@ -37,7 +40,7 @@ SurpriseStrip::SurpriseStrip(GraphSession& graph, TimelineView& timeline, QWidge
     : QWidget(parent), graph_(graph), timeline_(timeline), kind_(new QToolButton(this)) {
     setAccessibleName(tr("Surprise of the transitions"));
     setMouseTracking(true);
-    setFixedHeight(static_cast<int>(2 * kRow));
+    setFixedHeight(static_cast<int>(2 * rowHeight()));
     addChoice();
     Session& session = graph_.session();
     connect(&graph_, &GraphSession::valuesChanged, this, &SurpriseStrip::takeValues);
@@ -103,8 +106,8 @@ void SurpriseStrip::addChoice() {
 void SurpriseStrip::layOutChoice() {
     // Below the word, left of the numbers.
     const int room = static_cast<int>(rowOf(0).left()) - 46 - 8;
-    kind_->setGeometry(8, static_cast<int>(kRow), std::min(kind_->sizeHint().width(), room),
-                       static_cast<int>(kRow) - 2);
+    kind_->setGeometry(8, static_cast<int>(rowHeight()), std::min(kind_->sizeHint().width(), room),
+                       static_cast<int>(rowHeight()) - 2);
 }
 
 void SurpriseStrip::resizeEvent(QResizeEvent* event) {
@@ -113,12 +116,12 @@ void SurpriseStrip::resizeEvent(QResizeEvent* event) {
 }
 
 QSize SurpriseStrip::sizeHint() const {
-    return {800, static_cast<int>(2 * kRow)};
+    return {800, static_cast<int>(2 * rowHeight())};
 }
 
 QRectF SurpriseStrip::rowOf(int player) const {
     const TimeMapping map = timeline_.mapping();
-    return {map.left, player * kRow + 3, map.width, kRow - 5};
+    return {map.left, player * rowHeight() + 3, map.width, rowHeight() - 5};
 }
 
 void SurpriseStrip::takeValues() {
@@ -192,7 +195,7 @@ void SurpriseStrip::paintStill(QPainter& painter) const {
     painter.setFont(small);
     for (const int mover : {0, 1}) {
         const QRectF row = rowOf(mover);
-        painter.fillRect(QRectF(0, mover * kRow + 1, 4, kRow - 2), c.fighters[mover]);
+        painter.fillRect(QRectF(0, mover * rowHeight() + 1, 4, rowHeight() - 2), c.fighters[mover]);
         painter.setPen(c.secondText);
         if (mover == 0) {
             painter.drawText(QRectF(12, row.top() - 2, row.left() - 50, row.height() + 4),
@@ -235,7 +238,7 @@ void SurpriseStrip::changeEvent(QEvent* event) {
 
 std::optional<TransitionRef> SurpriseStrip::transitionNear(const QPointF& position) const {
     if (!graph_.hasGraph()) return std::nullopt;
-    const int mover = position.y() < kRow ? 0 : 1;
+    const int mover = position.y() < rowHeight() ? 0 : 1;
     const auto& all = graph_.graph().transitionsOf(mover);
     std::optional<TransitionRef> best;
     double nearest = kReach;

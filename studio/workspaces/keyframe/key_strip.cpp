@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/timeline/wheel.h"
@@ -17,7 +18,9 @@
 namespace kumite::studio {
 
 namespace {
-constexpr double kRuler = 20;
+double rulerHeight() {
+    return withTextSize(20.0);
+}
 constexpr double kMargin = 16;
 constexpr double kShortest = 0.3, kLongest = 120;  // seconds visible
 constexpr double kReach = 9;                       // pixels
@@ -52,7 +55,7 @@ TimeMapping KeyStrip::mapping() const {
 }
 
 QPointF KeyStrip::placeOf(double frame) const {
-    return {mapping().xOf(frame / keys_.rate()), kRuler + (height() - kRuler) / 2.0};
+    return {mapping().xOf(frame / keys_.rate()), rulerHeight() + (height() - rulerHeight()) / 2.0};
 }
 
 void KeyStrip::paintEvent(QPaintEvent*) {
@@ -86,12 +89,13 @@ void KeyStrip::paintRuler(QPainter& painter) const {
     for (double t = step * std::floor(map.begin / step); t <= map.end; t += step) {
         const double x = std::round(map.xOf(t)) + 0.5;
         painter.setPen(c.line);
-        painter.drawLine(QPointF(x, kRuler - 5), QPointF(x, height()));
+        painter.drawLine(QPointF(x, rulerHeight() - 5), QPointF(x, height()));
         painter.setPen(c.secondText);
         // A time that would be cut off is left out.
         const QString time = timeText(t, std::min(1.0, step));
         if (x + 3 + painter.fontMetrics().horizontalAdvance(time) > width()) continue;
-        painter.drawText(QRectF(x + 3, 0, 90, kRuler - 2), Qt::AlignLeft | Qt::AlignVCenter, time);
+        painter.drawText(QRectF(x + 3, 0, 90, rulerHeight() - 2), Qt::AlignLeft | Qt::AlignVCenter,
+                         time);
     }
 }
 
@@ -100,7 +104,7 @@ void KeyStrip::paintHit(QPainter& painter) const {
     const auto& motion = hit_.motion();
     if (!motion) {
         painter.setPen(c.secondText);
-        painter.drawText(rect().adjusted(20, int(kRuler), -20, 0),
+        painter.drawText(rect().adjusted(20, int(rulerHeight()), -20, 0),
                          Qt::AlignCenter | Qt::TextWordWrap,
                          !hit_.problem().isEmpty() ? hit_.problem()
                          : hit_.jobs().isRunning() ? tr("The strikes are being aligned.")
@@ -127,7 +131,7 @@ void KeyStrip::paintKeys(QPainter& painter) const {
     const auto& keys = keys_.draft().track.keys;
     if (keys.empty()) {
         painter.setPen(c.secondText);
-        painter.drawText(rect().adjusted(20, int(kRuler), -20, 0),
+        painter.drawText(rect().adjusted(20, int(rulerHeight()), -20, 0),
                          Qt::AlignCenter | Qt::TextWordWrap,
                          !keys_.problem().isEmpty()
                              ? keys_.problem()

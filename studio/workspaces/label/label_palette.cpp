@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/timeline/lane_painter.h"
@@ -18,8 +19,12 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr int kRow = 16;
-constexpr int kChip = 18;
+int rowHeight() {
+    return withTextSize(16);
+}
+int chipWidth() {
+    return withTextSize(18);
+}
 constexpr int kGap = 4;
 
 /// What a label and its mirror image have in common, "punch forward", and what tells each from the
@@ -49,7 +54,7 @@ PairWords pairWords(const QString& one, const QString& other) {
 int paintKey(QPainter& painter, const QPoint& at, const QString& key, const Colours& c) {
     if (key.isEmpty()) return 0;
     const int width = std::max(14, painter.fontMetrics().horizontalAdvance(key) + 8);
-    const QRectF cap(at.x() + 0.5, at.y() + 1.5, width - 1, kRow - 4);
+    const QRectF cap(at.x() + 0.5, at.y() + 1.5, width - 1, rowHeight() - 4);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(mixed(c.line, c.secondText, 0.4), 1));
     painter.setBrush(mixed(c.panel, c.ground, 0.5));
@@ -96,10 +101,10 @@ void LabelPalette::layOut() {
         Spot lane;
         lane.kind = Spot::Lane;
         lane.index = a;
-        lane.place = QRect(0, top, width(), kRow);
+        lane.place = QRect(0, top, width(), rowHeight());
         lane.text = vocabularyWords(vocabulary[a].name);
         spots_.push_back(lane);
-        top += kRow;
+        top += rowHeight();
         if (a == review_.labels().aspect()) addClasses(top);
     }
     top += kGap;
@@ -108,11 +113,11 @@ void LabelPalette::layOut() {
     Spot besides;
     besides.kind = Spot::Besides;
     besides.key = keyOf_(QStringLiteral("label.composite"));
-    besides.place = QRect(0, top + kGap, width(), kRow);
+    besides.place = QRect(0, top + kGap, width(), rowHeight());
     besides.text = tr("and: adds the next class");
     besides.tip = tr("For two strikes in one action: this, then a class of another lane");
     spots_.push_back(besides);
-    top += kGap + kRow;
+    top += kGap + rowHeight();
     height_ = top;
     if (height_ != before) updateGeometry();
 }
@@ -141,13 +146,13 @@ void LabelPalette::addClasses(int& top) {
         const int wide = cap + 6 + fontMetrics().horizontalAdvance(chip.text) + 8;
         if (left > 10 && left + wide > width()) {
             left = 10;
-            top += kChip + 2;
+            top += chipWidth() + 2;
         }
-        chip.place = QRect(left, top, wide, kChip);
+        chip.place = QRect(left, top, wide, chipWidth());
         spots_.push_back(chip);
         left += wide + kGap;
     }
-    top += kChip + kGap;
+    top += chipWidth() + kGap;
 }
 
 /// Quick labels; one and its mirror image share a line, under the words that tell them apart.
@@ -171,8 +176,8 @@ void LabelPalette::addQuick(int& top) {
         const bool pair = i + 1 < all.size() && all[i + 1].label != all[i].label &&
                           mirroredLabel(vocabulary, all[i].label) == all[i + 1].label;
         if (!pair) {
-            put(i, QRect(0, top, width(), kRow), labelWords(vocabulary, all[i].label));
-            top += kRow;
+            put(i, QRect(0, top, width(), rowHeight()), labelWords(vocabulary, all[i].label));
+            top += rowHeight();
             continue;
         }
         const PairWords words = pairWords(labelWords(vocabulary, all[i].label),
@@ -181,23 +186,23 @@ void LabelPalette::addQuick(int& top) {
             head = words.one + words.other;
             Spot caption;
             caption.kind = Spot::Caption;
-            caption.place = QRect(0, top, column, kRow);
+            caption.place = QRect(0, top, column, rowHeight());
             caption.text = words.one;
             spots_.push_back(caption);
             caption.place.translate(column, 0);
             caption.text = words.other;
             spots_.push_back(caption);
-            top += kRow;
+            top += rowHeight();
         }
-        put(i, QRect(0, top, column, kRow), {});
-        put(i + 1, QRect(column, top, column, kRow), {});
+        put(i, QRect(0, top, column, rowHeight()), {});
+        put(i + 1, QRect(column, top, column, rowHeight()), {});
         Spot what;
         what.kind = Spot::Caption;
-        what.place = QRect(2 * column, top, width() - 2 * column, kRow);
+        what.place = QRect(2 * column, top, width() - 2 * column, rowHeight());
         what.text = words.both;
         spots_.push_back(what);
         ++i;
-        top += kRow;
+        top += rowHeight();
     }
 }
 

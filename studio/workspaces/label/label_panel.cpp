@@ -117,6 +117,8 @@ QWidget* LabelPanel::makeQuestion() {
         button->setStyleSheet(QStringLiteral("text-align: left; padding: 3px 8px;"));
         layout->addWidget(button);
     }
+    best_->setToolTip(tr("Accept what is proposed"));
+    second_->setToolTip(tr("Take the second best instead; of what a hand said, nothing any more"));
     connect(best_, &QPushButton::clicked, this, [this] { review_.accept(); });
     connect(second_, &QPushButton::clicked, this, [this] { review_.reject(); });
     reason_->setWordWrap(true);

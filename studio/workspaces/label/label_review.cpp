@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/core_words.h"
 #include "studio/workspaces/label/label_words.h"
 
@@ -39,7 +40,7 @@ void LabelReview::setAdvancing(bool advancing) {
 
 void LabelReview::show(const ShownAction& action) {
     labels_.goTo(action);
-    labels_.session().transport().setPlaying(true);
+    if (!isMotionReduced()) labels_.session().transport().setPlaying(true);
     Q_EMIT shown();
 }
 

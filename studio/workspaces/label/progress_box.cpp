@@ -89,6 +89,7 @@ ProgressBox::ProgressBox(LabelReview& review, QWidget* parent)
         tr("How sure the machine must be of what is accepted: 0.90 is nine of ten right. "
            "Ctrl+Down and Ctrl+Up move it."));
     threshold_->setAccessibleName(tr("Least probability of what is accepted"));
+    threshold_->setToolTip(tr("Proposals that are at least so probable are accepted."));
     connect(threshold_, &QDoubleSpinBox::valueChanged, this, &ProgressBox::refresh);
     // A bar that was lowered for one project is none for the next.
     connect(&labels_.session().document(), &Document::opened, threshold_,

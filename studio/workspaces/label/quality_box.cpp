@@ -59,6 +59,7 @@ QualityBox::QualityBox(LabelSession& labels, QWidget* parent)
     layout->addWidget(gain_);
     layout->addStretch(1);
     aspects_->setAccessibleName(tr("Aspect of the confusion matrix"));
+    aspects_->setToolTip(tr("Whose classes the matrix and the list are about."));
     said_->setAccessibleName(tr("What the cell says"));
     // Two lines, so that nothing moves when the pointer does.
     said_->setMinimumHeight(2 * fontMetrics().lineSpacing());

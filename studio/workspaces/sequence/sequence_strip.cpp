@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/timeline/wheel.h"
@@ -18,7 +19,9 @@
 namespace kumite::studio {
 
 namespace {
-constexpr double kRuler = 20;
+double rulerHeight() {
+    return withTextSize(20.0);
+}
 constexpr double kLeft = 12;
 constexpr double kShortest = 0.5, kLongest = 600;  // seconds visible
 constexpr double kEdge = 5;                        // pixels in which an edge is taken
@@ -54,7 +57,8 @@ TimeMapping SequenceStrip::mapping() const {
 }
 
 QRectF SequenceStrip::row() const {
-    return {kLeft, kRuler + 4, std::max(10.0, width() - kLeft - 12), height() - kRuler - 10.0};
+    return {kLeft, rulerHeight() + 4, std::max(10.0, width() - kLeft - 12),
+            height() - rulerHeight() - 10.0};
 }
 
 QRectF SequenceStrip::rectOf(const SequencePiece& piece) const {
@@ -144,9 +148,9 @@ void SequenceStrip::paintEvent(QPaintEvent*) {
     for (double t = step * std::floor(map.begin / step); t <= map.end; t += step) {
         const double x = std::round(map.xOf(t)) + 0.5;
         painter.setPen(c.line);
-        painter.drawLine(QPointF(x, kRuler - 5), QPointF(x, height()));
+        painter.drawLine(QPointF(x, rulerHeight() - 5), QPointF(x, height()));
         painter.setPen(c.secondText);
-        painter.drawText(QRectF(x + 3, 0, 90, kRuler - 2), Qt::AlignLeft | Qt::AlignVCenter,
+        painter.drawText(QRectF(x + 3, 0, 90, rulerHeight() - 2), Qt::AlignLeft | Qt::AlignVCenter,
                          timeText(t, std::min(1.0, step)));
     }
     painter.setOpacity(sequence_.isCurrent() ? 1.0 : 0.6);

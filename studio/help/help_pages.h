@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <vector>
+
+namespace kumite::studio {
+
+class CommandTable;
+
+/// A page of the help: Markdown of resources/help, which reads well in the repository, too. In it
+///
+///     [`N`](key:review.next)        stands for the key that a command has now,
+///     <!-- commands: segment -->    for a table of a workspace's commands ("everywhere": of all),
+///     <!-- command line -->         for what `kumite --help` says.
+struct HelpPage {
+    QString id;      ///< "segment": the file's name; of a workspace's page also the workspace
+    QString title;   ///< its first heading
+    QString source;  ///< as it stands in the file
+};
+
+/// All pages in the order of the contents.
+const std::vector<HelpPage>& helpPages();
+/// Null where there is no such page.
+const HelpPage* helpPage(const QString& id);
+/// Markdown with the keys in force, the tables and the command line's help put in.
+QString shownText(const HelpPage& page, const CommandTable& commands);
+
+/// A key as a page names it.
+struct KeyMention {
+    QString key;      ///< as the file says it: the key that the studio brings
+    QString command;  ///< whose it is
+};
+std::vector<KeyMention> keyMentions(const HelpPage& page);
+/// Whose commands a page lists: ids of workspaces, "everywhere".
+QStringList commandTables(const HelpPage& page);
+
+/// What a heading is linked to by, as in `method.md#expected-accuracy`.
+QString anchorOf(const QString& heading);
+/// The anchors of a page's headings.
+QStringList anchorsOf(const HelpPage& page);
+
+}  // namespace kumite::studio
