@@ -189,6 +189,13 @@
     </message>
 </context>
 <context>
+    <name>KeysSheet</name>
+    <message>
+        <source>Kumite: keys and mouse</source>
+        <translation>Kumite : touches et souris</translation>
+    </message>
+</context>
+<context>
     <name>Vocabulary</name>
     <message>
         <source>Left punch</source>
@@ -297,6 +304,13 @@
     <message>
         <source>nothing</source>
         <translation>rien</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsThis</name>
+    <message>
+        <source>Key: %1</source>
+        <translation>Touche : %1</translation>
     </message>
 </context>
 <context>
@@ -569,6 +583,14 @@
         <translation>agrandir, maximiser</translation>
     </message>
     <message>
+        <source>font size, zoom, bigger, accessibility, scale</source>
+        <translation>taille du texte, zoom, plus grand, accessibilité, échelle</translation>
+    </message>
+    <message>
+        <source>font size, zoom, scale</source>
+        <translation>taille du texte, zoom, échelle</translation>
+    </message>
+    <message>
         <source>dark mode, light mode, colours, auto</source>
         <translation>mode sombre, mode clair, couleurs, auto</translation>
     </message>
@@ -698,51 +720,51 @@
     </message>
     <message>
         <source>paste pose, browse, frame, library, import pose</source>
-        <translation type="unfinished"></translation>
+        <translation>coller une pose, parcourir, image, bibliothèque, importer une pose</translation>
     </message>
     <message>
         <source>rotate, gizmo, ring, fk, angle, elbow, knee</source>
-        <translation type="unfinished"></translation>
+        <translation>tourner, gizmo, anneau, fk, angle, coude, genou</translation>
     </message>
     <message>
         <source>rotate, gizmo, ring, fk, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>tourner, gizmo, anneau, fk, angle</translation>
     </message>
     <message>
         <source>ripple, shift, time, slide left</source>
-        <translation type="unfinished"></translation>
+        <translation>décaler, temps, glisser à gauche</translation>
     </message>
     <message>
         <source>ripple, shift, time, slide right</source>
-        <translation type="unfinished"></translation>
+        <translation>décaler, temps, glisser à droite</translation>
     </message>
     <message>
         <source>retime, faster, speed up, compress, scale time</source>
-        <translation type="unfinished"></translation>
+        <translation>rythme, plus vite, accélérer, comprimer, échelle de temps</translation>
     </message>
     <message>
         <source>retime, slower, slow down, stretch, scale time</source>
-        <translation type="unfinished"></translation>
+        <translation>rythme, plus lent, ralentir, étirer, échelle de temps</translation>
     </message>
     <message>
         <source>before, after, compare, side by side, a/b, unadjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>avant, après, comparer, côte à côte, a/b, sans ajustement</translation>
     </message>
     <message>
         <source>onion skin, onion skinning, ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>pelure d’oignon, fantôme</translation>
     </message>
     <message>
         <source>partial edit, swap arm, splice, layer, fix, retake</source>
-        <translation type="unfinished"></translation>
+        <translation>édition partielle, remplacer un bras, raccord, calque, corriger</translation>
     </message>
     <message>
         <source>tab, panel, joint, handle</source>
-        <translation type="unfinished"></translation>
+        <translation>onglet, volet, articulation, poignée</translation>
     </message>
     <message>
         <source>tab, panel, find similar, retrieval, sources, parts</source>
-        <translation type="unfinished"></translation>
+        <translation>onglet, volet, trouver du semblable, recherche, sources, parties</translation>
     </message>
     <message>
         <source>lock, fix, nail, constraint, hold foot</source>
@@ -889,8 +911,36 @@
         <translation>groupes, poses, graphe, espace</translation>
     </message>
     <message>
-        <source>shortcuts, hotkeys, cheat sheet, help, manual</source>
-        <translation>raccourcis, touches de raccourci, aide-mémoire, aide, manuel</translation>
+        <source>manual, documentation, guide</source>
+        <translation>manuel, documentation, guide</translation>
+    </message>
+    <message>
+        <source>tutorial, introduction, start, guide</source>
+        <translation>tutoriel, introduction, débuter, guide</translation>
+    </message>
+    <message>
+        <source>formula, explain, statistics, papers, sources</source>
+        <translation>formule, expliquer, statistiques, articles, sources</translation>
+    </message>
+    <message>
+        <source>tutorial, introduction, walkthrough, wizard, guide</source>
+        <translation>tutoriel, introduction, visite pas à pas, assistant, guide</translation>
+    </message>
+    <message>
+        <source>explain, context help</source>
+        <translation>expliquer, aide contextuelle</translation>
+    </message>
+    <message>
+        <source>explain, accessibility</source>
+        <translation>expliquer, accessibilité</translation>
+    </message>
+    <message>
+        <source>shortcuts, hotkeys, cheat sheet, help, manual, print</source>
+        <translation>raccourcis, touches de raccourci, aide-mémoire, aide, manuel, imprimer</translation>
+    </message>
+    <message>
+        <source>release notes, changelog, news, version</source>
+        <translation>notes de version, journal des modifications, actualités, version</translation>
     </message>
     <message>
         <source>version, licence, license</source>
@@ -902,6 +952,10 @@
     <message>
         <source>Similar actions</source>
         <translation>Actions similaires</translation>
+    </message>
+    <message>
+        <source>Those that look most like the current action, side by side.</source>
+        <translation>Celles qui ressemblent le plus à l’action actuelle, côte à côte.</translation>
     </message>
 </context>
 <context>
@@ -1302,6 +1356,14 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     <message>
         <source>Who is led</source>
         <translation>Qui est guidé</translation>
+    </message>
+    <message>
+        <source>The fighter that replays a captured attack</source>
+        <translation>Le combattant qui rejoue une attaque capturée</translation>
+    </message>
+    <message>
+        <source>The fighter that keys and clicks on the floor lead</source>
+        <translation>Le combattant que guident les touches et les clics sur le sol</translation>
     </message>
     <message>
         <source>A bout is being prepared.</source>
@@ -2482,6 +2544,128 @@ Double-clic : début, place, sol, articulations</translation>
         <source>Graph of transitions</source>
         <translation>Graphe des transitions</translation>
     </message>
+    <message>
+        <source>A node is a label, an edge leads to what follows. A click shows the moments behind it.</source>
+        <translation>Un nœud est une étiquette, une arête mène à ce qui suit. Un clic montre les moments derrière.</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::Help</name>
+    <message>
+        <source>&amp;Help on this workspace</source>
+        <translation>&amp;Aide sur cet espace</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>P&amp;remiers pas</translation>
+    </message>
+    <message>
+        <source>What the &amp;numbers mean</source>
+        <translation>Ce que disent les &amp;nombres</translation>
+    </message>
+    <message>
+        <source>&amp;What is this? Click on it</source>
+        <translation>&amp;Qu’est-ce que c’est ? Cliquez dessus</translation>
+    </message>
+    <message>
+        <source>What has the f&amp;ocus?</source>
+        <translation>&amp;Où est le focus ?</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Touches et souris</translation>
+    </message>
+    <message>
+        <source>What is n&amp;ew</source>
+        <translation>Nou&amp;veautés</translation>
+    </message>
+    <message>
+        <source>&amp;About Kumite</source>
+        <translation>À &amp;propos de Kumite</translation>
+    </message>
+    <message>
+        <source>About Kumite</source>
+        <translation>À propos de Kumite</translation>
+    </message>
+    <message>
+        <source>Kumite %1
+
+A studio for annotating two-player martial-arts motion capture.</source>
+        <translation>Kumite %1
+
+Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::HelpWindow</name>
+    <message>
+        <source>The page before</source>
+        <translation>La page précédente</translation>
+    </message>
+    <message>
+        <source>On again</source>
+        <translation>Avancer à nouveau</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Aide</translation>
+    </message>
+    <message>
+        <source>Close the help (Esc)</source>
+        <translation>Fermer l’aide (Échap)</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>Chercher dans toutes les pages</translation>
+    </message>
+    <message>
+        <source>Shows the pages that hold all of these words. Return: the next place; Shift+Return: the one before. (Ctrl+F)</source>
+        <translation>Affiche les pages qui contiennent tous ces mots. Entrée : l’endroit suivant ; Maj+Entrée : le précédent. (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>How often the words were found</source>
+        <translation>Combien de fois les mots ont été trouvés</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>The pages of the help</source>
+        <translation>Les pages de l’aide</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>La page</translation>
+    </message>
+    <message>
+        <source>Tab leads from link to link, Return follows one.</source>
+        <translation>Tab mène de lien en lien, Entrée en suit un.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Found %1 times on this page</source>
+        <translation>Trouvé %1 fois sur cette page</translation>
+    </message>
+    <message>
+        <source>Show this page</source>
+        <translation>Afficher cette page</translation>
+    </message>
+    <message>
+        <source>No page holds these words.</source>
+        <translation>Aucune page ne contient ces mots.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 on this page</source>
+        <translation>%1 sur %2 dans cette page</translation>
+    </message>
+    <message>
+        <source>%1 — Help</source>
+        <translation>%1 — Aide</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::HistoryModel</name>
@@ -2520,7 +2704,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Drag the target in the 3D view: the strike follows it. Dots: where whole examples hit; the box: what is reached.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faites glisser la cible dans la vue 3D : la frappe la suit. Points : où frappent les exemples entiers ; boîte : ce qui est atteint.</translation>
     </message>
     <message>
         <source>Strike</source>
@@ -2532,27 +2716,27 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>a place</source>
-        <translation type="unfinished"></translation>
+        <translation>un lieu</translation>
     </message>
     <message>
         <source>Aim at</source>
-        <translation type="unfinished"></translation>
+        <translation>Viser</translation>
     </message>
     <message>
         <source>A place in space, or the opponent as the recording&apos;s playhead shows it; a click on its marks in the 3D view aims there</source>
-        <translation type="unfinished"></translation>
+        <translation>Un lieu de l’espace, ou l’adversaire tel que le montre la tête de lecture ; un clic sur ses repères dans la vue 3D le vise</translation>
     </message>
     <message>
         <source>Distance of the opponent, metres</source>
-        <translation type="unfinished"></translation>
+        <translation>Distance de l’adversaire, mètres</translation>
     </message>
     <message>
         <source>How far ahead the opponent stands, from pelvis to pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>À quelle distance devant se tient l’adversaire, de bassin à bassin</translation>
     </message>
     <message>
         <source>Away, m</source>
-        <translation type="unfinished"></translation>
+        <translation>Distance, m</translation>
     </message>
     <message>
         <source>to the left</source>
@@ -2607,15 +2791,15 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     <name>kumite::studio::HitSession</name>
     <message>
         <source>Aim at the opponent</source>
-        <translation type="unfinished"></translation>
+        <translation>Viser l’adversaire</translation>
     </message>
     <message>
         <source>Aim at a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Viser un lieu</translation>
     </message>
     <message>
         <source>Opponent %1 m away</source>
-        <translation type="unfinished"></translation>
+        <translation>Adversaire à %1 m</translation>
     </message>
     <message>
         <source>Strike with %1</source>
@@ -3022,31 +3206,31 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     <name>kumite::studio::JointBox</name>
     <message>
         <source>Joint</source>
-        <translation type="unfinished"></translation>
+        <translation>Articulation</translation>
     </message>
     <message>
         <source>Joint to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Articulation à tourner</translation>
     </message>
     <message>
         <source>Which joint has rings in the 3D view; J chooses the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle articulation a des anneaux dans la vue 3D ; J choisit la suivante</translation>
     </message>
     <message>
         <source>Turn about %1, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Tourner autour de %1, degrés</translation>
     </message>
     <message>
         <source>About the parent&apos;s %1, degrees; turned about y first, then x, then z</source>
-        <translation type="unfinished"></translation>
+        <translation>Autour de %1 du parent, degrés ; d’abord autour de y, puis x, puis z</translation>
     </message>
     <message>
         <source>x y z, °</source>
-        <translation type="unfinished"></translation>
+        <translation>x, y, z, °</translation>
     </message>
     <message>
         <source>How much of the joint&apos;s limits that takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle part des limites de l’articulation cela prend</translation>
     </message>
     <message>
         <source>none</source>
@@ -3054,15 +3238,15 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Bent by %1° of %2°, twisted by %3° of %4° from rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fléchie de %1° sur %2°, tournée de %3° sur %4° depuis le repos.</translation>
     </message>
     <message>
         <source>This joint has no limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette articulation n’a pas de limites.</translation>
     </message>
     <message>
         <source>A chosen joint has rings in the 3D view: drag one to turn it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une articulation choisie a des anneaux dans la vue 3D : faites-en glisser un pour la tourner.</translation>
     </message>
 </context>
 <context>
@@ -3089,7 +3273,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source> · beside it without adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation> · à côté, sans ajustement</translation>
     </message>
     <message>
         <source> · out of reach by %1 cm</source>
@@ -3136,11 +3320,11 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Beside it the motion without a&amp;djustment</source>
-        <translation type="unfinished"></translation>
+        <translation>À côté, le mouvement sans aj&amp;ustement</translation>
     </message>
     <message>
         <source>Keys before and after as &amp;ghosts</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses d’avant et d’après en &amp;fantômes</translation>
     </message>
     <message>
         <source>&amp;Hit a target</source>
@@ -3172,19 +3356,19 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Move the key and later ones earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette pose et les suivantes plus tôt</translation>
     </message>
     <message>
         <source>Move the key and later ones later</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette pose et les suivantes plus tard</translation>
     </message>
     <message>
         <source>Later keys closer together</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses suivantes plus serrées</translation>
     </message>
     <message>
         <source>Later keys farther apart</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses suivantes plus espacées</translation>
     </message>
     <message>
         <source>&amp;Copy the key to the playhead, or behind the last</source>
@@ -3200,7 +3384,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Copy the pose from an&amp;y take or clip…</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier la pose d’&amp;une prise ou d’un clip…</translation>
     </message>
     <message>
         <source>The handle &amp;stays where it is, or not</source>
@@ -3212,11 +3396,11 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Next &amp;joint to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Articulation suivante à &amp;tourner</translation>
     </message>
     <message>
         <source>Joint before</source>
-        <translation type="unfinished"></translation>
+        <translation>Articulation précédente</translation>
     </message>
     <message>
         <source>Handle up</source>
@@ -3264,7 +3448,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>&amp;Replace a part of a take…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Remplacer une partie d’une prise…</translation>
     </message>
     <message>
         <source>&amp;Keep as a take…</source>
@@ -3413,11 +3597,11 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Show the key &amp;pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer la &amp;pose clé</translation>
     </message>
     <message>
         <source>Show the m&amp;otion</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer le m&amp;ouvement</translation>
     </message>
     <message>
         <source>Clips…</source>
@@ -3472,11 +3656,11 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Move the key and later ones to frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplacer cette pose et les suivantes à l’image %1</translation>
     </message>
     <message>
         <source>Later keys %1 times as far</source>
-        <translation type="unfinished"></translation>
+        <translation>Poses suivantes %1 fois plus loin</translation>
     </message>
     <message>
         <source>Copy the key to frame %1</source>
@@ -3500,7 +3684,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Turn the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tourner : %1</translation>
     </message>
     <message>
         <source>Move the %1 a little</source>
@@ -3540,10 +3724,6 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
 </context>
 <context>
     <name>kumite::studio::KeysPage</name>
-    <message>
-        <source>Kumite: keys and mouse</source>
-        <translation>Kumite : touches et souris</translation>
-    </message>
     <message>
         <source>Mouse on the timeline</source>
         <translation>Souris sur la ligne de temps</translation>
@@ -3673,6 +3853,10 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
         <translation>Affiche les lignes qui contiennent ces lettres</translation>
     </message>
     <message>
+        <source>Print…</source>
+        <translation>Imprimer…</translation>
+    </message>
+    <message>
         <source>Save as PDF…</source>
         <translation>Enregistrer en PDF…</translation>
     </message>
@@ -3681,8 +3865,12 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
         <translation>Changer les touches…</translation>
     </message>
     <message>
-        <source>The whole sheet, to be printed.</source>
-        <translation>La feuille entière, à imprimer.</translation>
+        <source>The keys of all workspaces, on paper. (Ctrl+P)</source>
+        <translation>Les touches de tous les espaces, sur papier. (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>The keys of all workspaces, as a file.</source>
+        <translation>Les touches de tous les espaces, en fichier.</translation>
     </message>
     <message>
         <source>Gives commands other keys, in the preferences.</source>
@@ -3695,6 +3883,18 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     <message>
         <source>No key and no command holds these letters.</source>
         <translation>Aucune touche ni commande ne contient ces lettres.</translation>
+    </message>
+    <message>
+        <source>Nobody is here to choose a printer.</source>
+        <translation>Personne n’est là pour choisir une imprimante.</translation>
+    </message>
+    <message>
+        <source>Print the sheet of keys</source>
+        <translation>Imprimer la feuille des touches</translation>
+    </message>
+    <message>
+        <source>%1 does not take the sheet.</source>
+        <translation>%1 n’accepte pas la feuille.</translation>
     </message>
     <message>
         <source>Save the sheet of keys</source>
@@ -3840,6 +4040,14 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     <message>
         <source>Current action</source>
         <translation>Action actuelle</translation>
+    </message>
+    <message>
+        <source>Accept what is proposed</source>
+        <translation>Accepter la proposition</translation>
+    </message>
+    <message>
+        <source>Take the second best instead; of what a hand said, nothing any more</source>
+        <translation>Prendre le deuxième choix à la place ; de ce qu’une main a dit, plus rien</translation>
     </message>
     <message>
         <source>Why rules say so</source>
@@ -4626,28 +4834,16 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Thème sombre</translation>
     </message>
     <message>
+        <source>Larger text</source>
+        <translation>Texte plus grand</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Texte plus petit</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>A&amp;ide</translation>
-    </message>
-    <message>
-        <source>&amp;Keys and mouse</source>
-        <translation>&amp;Touches et souris</translation>
-    </message>
-    <message>
-        <source>&amp;About Kumite</source>
-        <translation>À &amp;propos de Kumite</translation>
-    </message>
-    <message>
-        <source>About Kumite</source>
-        <translation>À propos de Kumite</translation>
-    </message>
-    <message>
-        <source>Kumite %1
-
-A studio for annotating two-player martial-arts motion capture.</source>
-        <translation>Kumite %1
-
-Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</translation>
     </message>
     <message>
         <source>Segment</source>
@@ -4918,8 +5114,8 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
         <translation>toute commande</translation>
     </message>
     <message>
-        <source>all keys</source>
-        <translation>toutes les touches</translation>
+        <source>help</source>
+        <translation>aide</translation>
     </message>
     <message>
         <source>1 finding</source>
@@ -5123,6 +5319,10 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
         <source>Matrix of transitions</source>
         <translation>Matrice des transitions</translation>
     </message>
+    <message>
+        <source>A row is what goes on, a column what follows. Arrows lead from cell to cell; the moments behind the chosen one are listed beside it.</source>
+        <translation>Une ligne est ce qui est en cours, une colonne ce qui suit. Les flèches mènent de cellule en cellule ; les moments derrière celle choisie sont listés à côté.</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MessageStrip</name>
@@ -5158,27 +5358,27 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>whole body</source>
-        <translation type="unfinished"></translation>
+        <translation>corps entier</translation>
     </message>
     <message>
         <source>What is looked for</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui est cherché</translation>
     </message>
     <message>
         <source>In what the places are like the keys: the whole body or one part</source>
-        <translation type="unfinished"></translation>
+        <translation>En quoi les endroits ressemblent aux poses : le corps entier ou une partie</translation>
     </message>
     <message>
         <source>Similar in</source>
-        <translation type="unfinished"></translation>
+        <translation>Semblable en</translation>
     </message>
     <message>
         <source>The keys and places like them</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poses et les endroits semblables</translation>
     </message>
     <message>
         <source>First the keys, then what is most like them; a click takes it</source>
-        <translation type="unfinished"></translation>
+        <translation>D’abord les poses, puis le plus semblable ; un clic le prend</translation>
     </message>
     <message>
         <source>Places that are like the keys</source>
@@ -5186,7 +5386,7 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>The places that are most like the keys, the best first; a click, or Return, takes the body or the part from there</source>
-        <translation type="unfinished"></translation>
+        <translation>Les endroits les plus semblables aux poses, le meilleur d’abord ; un clic ou Entrée en prend le corps ou la partie</translation>
     </message>
     <message>
         <source>what fits better</source>
@@ -5202,7 +5402,7 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>as chosen above</source>
-        <translation type="unfinished"></translation>
+        <translation>comme choisi ci-dessus</translation>
     </message>
     <message>
         <source>Where the %1 comes from</source>
@@ -5258,11 +5458,11 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>the keys</source>
-        <translation type="unfinished"></translation>
+        <translation>les poses</translation>
     </message>
     <message>
         <source>Take the %1 from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Prendre ailleurs : %1</translation>
     </message>
     <message>
         <source>Take the body from elsewhere</source>
@@ -5300,8 +5500,16 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
         <translation>Probabilité minimale d’une arête</translation>
     </message>
     <message>
+        <source>Edges that are less probable are not drawn.</source>
+        <translation>Les arêtes moins probables ne sont pas dessinées.</translation>
+    </message>
+    <message>
         <source>Most edges from a node</source>
         <translation>Nombre maximal d’arêtes par nœud</translation>
+    </message>
+    <message>
+        <source>So many edges of each node are drawn, the likeliest ones.</source>
+        <translation>Autant d’arêtes de chaque nœud sont dessinées, les plus probables.</translation>
     </message>
     <message>
         <source>ΔP ≥ 0.000</source>
@@ -5367,79 +5575,79 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>Replace a part of a take</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer une partie d’une prise</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>Dans</translation>
     </message>
     <message>
         <source>take that is changed</source>
-        <translation type="unfinished"></translation>
+        <translation>prise qui est modifiée</translation>
     </message>
     <message>
         <source>Part that is replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>Partie qui est remplacée</translation>
     </message>
     <message>
         <source>Where the part hangs on the rest its joint keeps the take&apos;s mean and spread</source>
-        <translation type="unfinished"></translation>
+        <translation>Là où la partie tient au reste, l’articulation garde la moyenne et l’écart de la prise</translation>
     </message>
     <message>
         <source>The</source>
-        <translation type="unfinished"></translation>
+        <translation>Remplacer</translation>
     </message>
     <message>
         <source>By that of</source>
-        <translation type="unfinished"></translation>
+        <translation>Par celle de</translation>
     </message>
     <message>
         <source>take or clip that lends the part</source>
-        <translation type="unfinished"></translation>
+        <translation>prise ou clip qui prête la partie</translation>
     </message>
     <message>
         <source>The take, what lends the part, and the result</source>
-        <translation type="unfinished"></translation>
+        <translation>La prise, ce qui prête la partie, et le résultat</translation>
     </message>
     <message>
         <source>What becomes of it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce qui en résulte</translation>
     </message>
     <message>
         <source>Keep as a take…</source>
-        <translation type="unfinished"></translation>
+        <translation>Garder comme prise…</translation>
     </message>
     <message>
         <source>The %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1</translation>
     </message>
     <message>
         <source>First frame of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Première image : %1</translation>
     </message>
     <message>
         <source>Last frame of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Dernière image : %1</translation>
     </message>
     <message>
         <source>%1, at %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, à %2 Hz</translation>
     </message>
     <message>
         <source>as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>telle quelle</translation>
     </message>
     <message>
         <source>what lends the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ce qui prête : %1</translation>
     </message>
     <message>
         <source>the result</source>
-        <translation type="unfinished"></translation>
+        <translation>le résultat</translation>
     </message>
     <message>
         <source>%1 of the take&apos;s %2 are changed, in the %3 only; all else stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sur %2 de la prise changent, seulement ici : %3 ; tout le reste demeure.</translation>
     </message>
 </context>
 <context>
@@ -5521,7 +5729,7 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>and later keys</source>
-        <translation type="unfinished"></translation>
+        <translation>et les poses suivantes</translation>
     </message>
     <message>
         <source>The chosen key</source>
@@ -5565,31 +5773,31 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>Frame of the key</source>
-        <translation type="unfinished"></translation>
+        <translation>Image de la pose</translation>
     </message>
     <message>
         <source>Moves the key to that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Déplace la pose à cette image</translation>
     </message>
     <message>
         <source>Later keys go as many frames along</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poses suivantes avancent d’autant d’images</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Image</translation>
     </message>
     <message>
         <source>Time from this key on, times</source>
-        <translation type="unfinished"></translation>
+        <translation>Temps après cette pose, fois</translation>
     </message>
     <message>
         <source>All later keys that many times as far from this one: 2 is half as fast</source>
-        <translation type="unfinished"></translation>
+        <translation>Toutes les poses suivantes autant de fois plus loin de celle-ci : 2, c’est deux fois plus lent</translation>
     </message>
     <message>
         <source>Time on</source>
-        <translation type="unfinished"></translation>
+        <translation>Temps après</translation>
     </message>
     <message>
         <source>Frame %1. Drag hands, feet, hips, chest or head in the 3D view.</source>
@@ -5608,31 +5816,31 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     <name>kumite::studio::PoseDialog</name>
     <message>
         <source>Copy a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier une pose</translation>
     </message>
     <message>
         <source>Take or clip</source>
-        <translation type="unfinished"></translation>
+        <translation>Prise ou clip</translation>
     </message>
     <message>
         <source>Whose pose is copied: a fighter of a take, or a clip</source>
-        <translation type="unfinished"></translation>
+        <translation>De qui la pose est copiée : un combattant d’une prise, ou un clip</translation>
     </message>
     <message>
         <source>The pose</source>
-        <translation type="unfinished"></translation>
+        <translation>La pose</translation>
     </message>
     <message>
         <source>Moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Moment</translation>
     </message>
     <message>
         <source>Which moment; arrow keys go on by one frame</source>
-        <translation type="unfinished"></translation>
+        <translation>Quel moment ; les flèches avancent d’une image</translation>
     </message>
     <message>
         <source>Frame of the take or clip</source>
-        <translation type="unfinished"></translation>
+        <translation>Image de la prise ou du clip</translation>
     </message>
     <message>
         <source>Time</source>
@@ -5640,15 +5848,15 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>Copy the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier la pose</translation>
     </message>
     <message>
         <source>frame %1 at %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>image %1 à %2 Hz</translation>
     </message>
     <message>
         <source>Copy the pose of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier la pose de %1</translation>
     </message>
 </context>
 <context>
@@ -5703,19 +5911,39 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>Langue</translation>
     </message>
     <message>
         <source>Of all texts, numbers and dates in the window; files do not know it. The window is made anew at once, with what is open in it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playback</source>
-        <translation>Lecture</translation>
+        <translation>De tous les textes, nombres et dates de la fenêtre ; les fichiers ne la connaissent pas. La fenêtre est refaite aussitôt, avec ce qui y est ouvert.</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
+    </message>
+    <message>
+        <source>Text size, percent</source>
+        <translation>Taille du texte, pour cent</translation>
+    </message>
+    <message>
+        <source>How large all text is; pages that it makes too large can be scrolled.</source>
+        <translation>Taille de tout le texte ; les pages devenues trop grandes défilent.</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Taille du texte</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>Moins de mouvement</translation>
+    </message>
+    <message>
+        <source>Nothing begins to move by itself: questions and similar actions stand still until you play them.</source>
+        <translation>Rien ne bouge de soi-même : questions et actions semblables restent immobiles jusqu’à ce que vous les lanciez.</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>Lecture</translation>
     </message>
     <message>
         <source>Playback speed of a bout that is opened, percent</source>
@@ -5817,6 +6045,10 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
         <translation>Probabilité minimale de ce qui est accepté</translation>
     </message>
     <message>
+        <source>Proposals that are at least so probable are accepted.</source>
+        <translation>Les propositions au moins aussi probables sont acceptées.</translation>
+    </message>
+    <message>
         <source>%1 actions: %2 labelled by hand (dark), %3 accepted (light), %4 open</source>
         <translation>%1 actions : %2 étiquetées à la main (foncé), %3 acceptées (clair), %4 à décider</translation>
     </message>
@@ -5890,6 +6122,10 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     <message>
         <source>Aspect of the confusion matrix</source>
         <translation>Aspect de la matrice de confusion</translation>
+    </message>
+    <message>
+        <source>Whose classes the matrix and the list are about.</source>
+        <translation>De quelles classes parlent la matrice et la liste.</translation>
     </message>
     <message>
         <source>What the cell says</source>
@@ -7171,6 +7407,104 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
 </context>
 <context>
+    <name>kumite::studio::Tour</name>
+    <message>
+        <source>&amp;Tour on the demo bout</source>
+        <translation>Visite &amp;guidée sur le combat de démonstration</translation>
+    </message>
+    <message>
+        <source>Tour: next step</source>
+        <translation>Visite : étape suivante</translation>
+    </message>
+    <message>
+        <source>Tour: step before</source>
+        <translation>Visite : étape précédente</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>Quitter la visite</translation>
+    </message>
+    <message>
+        <source>Correct a suspect</source>
+        <translation>Corriger un suspect</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
+        <translation>Les minima de la force découpent le combat en actions ; quelques-uns sont faux. %1 mène au plus probable et dit pourquoi. Regardez-le, %2 le lit. %3 le garde, %4 le supprime.</translation>
+    </message>
+    <message>
+        <source>Label an action</source>
+        <translation>Étiqueter une action</translation>
+    </message>
+    <message>
+        <source>%1 leads to the action that says most; it loops. Say what it is: %2 is a left punch forward, %3 a right one; the palette shows the other keys.</source>
+        <translation>%1 mène à l’action qui en dit le plus ; elle tourne en boucle. Dites ce que c’est : %2 est un coup de poing gauche vers l’avant, %3 un droit ; la palette montre les autres touches.</translation>
+    </message>
+    <message>
+        <source>Let the machine say the rest</source>
+        <translation>Laisser la machine dire le reste</translation>
+    </message>
+    <message>
+        <source>A machine learns from your labels. One is few: here a third of the bout can be labelled for you. Then %1 accepts all that the machine is sure of; %2 takes it back.</source>
+        <translation>Une machine apprend de vos étiquettes. Une seule, c’est peu : ici, un tiers du combat peut être étiqueté pour vous. Ensuite %1 accepte tout ce dont la machine est sûre ; %2 y revient.</translation>
+    </message>
+    <message>
+        <source>Label a third for me</source>
+        <translation>M’en étiqueter un tiers</translation>
+    </message>
+    <message>
+        <source>See what follows what</source>
+        <translation>Voir ce qui suit quoi</translation>
+    </message>
+    <message>
+        <source>A row is what goes on, a column what comes next. Click a cell: the moments behind it are listed, a click plays one. %1 leads to the most surprising moment.</source>
+        <translation>Une ligne est ce qui est en cours, une colonne ce qui vient ensuite. Cliquez sur une cellule : les moments derrière sont listés, un clic en lit un. %1 mène au moment le plus surprenant.</translation>
+    </message>
+    <message>
+        <source>Let them fight on</source>
+        <translation>Les laisser combattre</translation>
+    </message>
+    <message>
+        <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
+        <translation>%1 lance un combat qui n’a jamais eu lieu, fait de ce qui a été appris. Chaque choix est affiché à droite ; un clic en prend un autre. Retour avec %2, continuer autrement avec %3.</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::TourBox</name>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ Fait</translation>
+    </message>
+    <message>
+        <source>This step is done</source>
+        <translation>Cette étape est faite</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Quitter</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>Tour, step %1</source>
+        <translation>Visite, étape %1</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+</context>
+<context>
     <name>kumite::studio::TraceBox</name>
     <message>
         <source>Behind it</source>
@@ -7634,7 +7968,7 @@ C’est ce qui est venu ensuite</translation>
     <name>kumite::studio::Words</name>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>prominence %1</source>

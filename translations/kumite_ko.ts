@@ -189,6 +189,13 @@
     </message>
 </context>
 <context>
+    <name>KeysSheet</name>
+    <message>
+        <source>Kumite: keys and mouse</source>
+        <translation>Kumite: 단축키와 마우스</translation>
+    </message>
+</context>
+<context>
     <name>Vocabulary</name>
     <message>
         <source>Left punch</source>
@@ -297,6 +304,13 @@
     <message>
         <source>nothing</source>
         <translation>없음</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsThis</name>
+    <message>
+        <source>Key: %1</source>
+        <translation>단축키: %1</translation>
     </message>
 </context>
 <context>
@@ -569,6 +583,14 @@
         <translation>최대화, 전체 화면</translation>
     </message>
     <message>
+        <source>font size, zoom, bigger, accessibility, scale</source>
+        <translation>글자 크기, 확대, 크게, 접근성, 배율</translation>
+    </message>
+    <message>
+        <source>font size, zoom, scale</source>
+        <translation>글자 크기, 확대, 배율</translation>
+    </message>
+    <message>
         <source>dark mode, light mode, colours, auto</source>
         <translation>다크 모드, 라이트 모드, 색, 자동</translation>
     </message>
@@ -698,51 +720,51 @@
     </message>
     <message>
         <source>paste pose, browse, frame, library, import pose</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 붙여넣기, 찾아보기, 프레임, 라이브러리, 포즈 가져오기</translation>
     </message>
     <message>
         <source>rotate, gizmo, ring, fk, angle, elbow, knee</source>
-        <translation type="unfinished"></translation>
+        <translation>회전, 기즈모, 고리, fk, 각도, 팔꿈치, 무릎</translation>
     </message>
     <message>
         <source>rotate, gizmo, ring, fk, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>회전, 기즈모, 고리, fk, 각도</translation>
     </message>
     <message>
         <source>ripple, shift, time, slide left</source>
-        <translation type="unfinished"></translation>
+        <translation>밀기, 시간, 왼쪽으로</translation>
     </message>
     <message>
         <source>ripple, shift, time, slide right</source>
-        <translation type="unfinished"></translation>
+        <translation>밀기, 시간, 오른쪽으로</translation>
     </message>
     <message>
         <source>retime, faster, speed up, compress, scale time</source>
-        <translation type="unfinished"></translation>
+        <translation>시간 조정, 빠르게, 가속, 압축, 시간 배율</translation>
     </message>
     <message>
         <source>retime, slower, slow down, stretch, scale time</source>
-        <translation type="unfinished"></translation>
+        <translation>시간 조정, 느리게, 감속, 늘이기, 시간 배율</translation>
     </message>
     <message>
         <source>before, after, compare, side by side, a/b, unadjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>이전, 이후, 비교, 나란히, a/b, 조정 없음</translation>
     </message>
     <message>
         <source>onion skin, onion skinning, ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>어니언 스킨, 잔상</translation>
     </message>
     <message>
         <source>partial edit, swap arm, splice, layer, fix, retake</source>
-        <translation type="unfinished"></translation>
+        <translation>부분 편집, 팔 교체, 이어 붙이기, 레이어, 고치기, 다시 찍기</translation>
     </message>
     <message>
         <source>tab, panel, joint, handle</source>
-        <translation type="unfinished"></translation>
+        <translation>탭, 패널, 관절, 핸들</translation>
     </message>
     <message>
         <source>tab, panel, find similar, retrieval, sources, parts</source>
-        <translation type="unfinished"></translation>
+        <translation>탭, 패널, 비슷한 것 찾기, 검색, 출처, 부위</translation>
     </message>
     <message>
         <source>lock, fix, nail, constraint, hold foot</source>
@@ -889,8 +911,36 @@
         <translation>군집, 포즈, 그래프, 공간</translation>
     </message>
     <message>
-        <source>shortcuts, hotkeys, cheat sheet, help, manual</source>
-        <translation>단축키, 핫키, 요약표, 도움말, 설명서</translation>
+        <source>manual, documentation, guide</source>
+        <translation>설명서, 문서, 안내</translation>
+    </message>
+    <message>
+        <source>tutorial, introduction, start, guide</source>
+        <translation>튜토리얼, 소개, 시작, 안내</translation>
+    </message>
+    <message>
+        <source>formula, explain, statistics, papers, sources</source>
+        <translation>수식, 설명, 통계, 논문, 출처</translation>
+    </message>
+    <message>
+        <source>tutorial, introduction, walkthrough, wizard, guide</source>
+        <translation>튜토리얼, 소개, 따라하기, 마법사, 안내</translation>
+    </message>
+    <message>
+        <source>explain, context help</source>
+        <translation>설명, 상황별 도움말</translation>
+    </message>
+    <message>
+        <source>explain, accessibility</source>
+        <translation>설명, 접근성</translation>
+    </message>
+    <message>
+        <source>shortcuts, hotkeys, cheat sheet, help, manual, print</source>
+        <translation>단축키, 핫키, 요약표, 도움말, 설명서, 인쇄</translation>
+    </message>
+    <message>
+        <source>release notes, changelog, news, version</source>
+        <translation>릴리스 노트, 변경 내역, 새 소식, 버전</translation>
     </message>
     <message>
         <source>version, licence, license</source>
@@ -902,6 +952,10 @@
     <message>
         <source>Similar actions</source>
         <translation>비슷한 동작</translation>
+    </message>
+    <message>
+        <source>Those that look most like the current action, side by side.</source>
+        <translation>현재 동작과 가장 비슷해 보이는 동작을 나란히.</translation>
     </message>
 </context>
 <context>
@@ -1302,6 +1356,14 @@ Return으로 추가, Shift+Return으로 선택한 블록과 교체</translation>
     <message>
         <source>Who is led</source>
         <translation>조종되는 선수</translation>
+    </message>
+    <message>
+        <source>The fighter that replays a captured attack</source>
+        <translation>캡처된 공격을 재생하는 선수</translation>
+    </message>
+    <message>
+        <source>The fighter that keys and clicks on the floor lead</source>
+        <translation>키와 바닥 클릭으로 조종하는 선수</translation>
     </message>
     <message>
         <source>A bout is being prepared.</source>
@@ -2482,6 +2544,128 @@ Double-click: start, place, floor, joints</source>
         <source>Graph of transitions</source>
         <translation>전이 그래프</translation>
     </message>
+    <message>
+        <source>A node is a label, an edge leads to what follows. A click shows the moments behind it.</source>
+        <translation>노드는 레이블, 간선은 뒤따르는 것으로 이어집니다. 클릭하면 근거가 된 장면이 보입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::Help</name>
+    <message>
+        <source>&amp;Help on this workspace</source>
+        <translation>이 작업 공간의 도움말(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>첫걸음(&amp;F)</translation>
+    </message>
+    <message>
+        <source>What the &amp;numbers mean</source>
+        <translation>숫자의 의미(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;What is this? Click on it</source>
+        <translation>이것은 무엇인가요? 클릭해 보세요(&amp;W)</translation>
+    </message>
+    <message>
+        <source>What has the f&amp;ocus?</source>
+        <translation>포커스가 있는 것은 무엇인가요?(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>단축키와 마우스(&amp;K)</translation>
+    </message>
+    <message>
+        <source>What is n&amp;ew</source>
+        <translation>새로운 기능(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;About Kumite</source>
+        <translation>Kumite 정보(&amp;A)</translation>
+    </message>
+    <message>
+        <source>About Kumite</source>
+        <translation>Kumite 정보</translation>
+    </message>
+    <message>
+        <source>Kumite %1
+
+A studio for annotating two-player martial-arts motion capture.</source>
+        <translation>Kumite %1
+
+2인 무술 모션 캡처에 주석을 다는 스튜디오.</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::HelpWindow</name>
+    <message>
+        <source>The page before</source>
+        <translation>이전 페이지</translation>
+    </message>
+    <message>
+        <source>On again</source>
+        <translation>다시 앞으로</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>도움말</translation>
+    </message>
+    <message>
+        <source>Close the help (Esc)</source>
+        <translation>도움말 닫기 (Esc)</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>모든 페이지 검색</translation>
+    </message>
+    <message>
+        <source>Shows the pages that hold all of these words. Return: the next place; Shift+Return: the one before. (Ctrl+F)</source>
+        <translation>이 낱말이 모두 있는 페이지를 표시합니다. Return: 다음 위치, Shift+Return: 이전 위치. (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>How often the words were found</source>
+        <translation>낱말을 찾은 횟수</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>목차</translation>
+    </message>
+    <message>
+        <source>The pages of the help</source>
+        <translation>도움말 페이지</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>페이지</translation>
+    </message>
+    <message>
+        <source>Tab leads from link to link, Return follows one.</source>
+        <translation>Tab으로 링크 사이를 옮기고 Return으로 링크를 따라갑니다.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Found %1 times on this page</source>
+        <translation>이 페이지에서 %1번 찾음</translation>
+    </message>
+    <message>
+        <source>Show this page</source>
+        <translation>이 페이지 보기</translation>
+    </message>
+    <message>
+        <source>No page holds these words.</source>
+        <translation>이 낱말이 있는 페이지가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 on this page</source>
+        <translation>이 페이지에서 %1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 — Help</source>
+        <translation>%1 — 도움말</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::HistoryModel</name>
@@ -2520,7 +2704,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Drag the target in the 3D view: the strike follows it. Dots: where whole examples hit; the box: what is reached.</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 보기에서 표적을 끌면 타격이 따라갑니다. 점: 예제 전체가 맞히는 곳, 상자: 닿는 범위.</translation>
     </message>
     <message>
         <source>Strike</source>
@@ -2532,27 +2716,27 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>a place</source>
-        <translation type="unfinished"></translation>
+        <translation>한 지점</translation>
     </message>
     <message>
         <source>Aim at</source>
-        <translation type="unfinished"></translation>
+        <translation>겨냥</translation>
     </message>
     <message>
         <source>A place in space, or the opponent as the recording&apos;s playhead shows it; a click on its marks in the 3D view aims there</source>
-        <translation type="unfinished"></translation>
+        <translation>공간의 한 지점, 또는 재생 위치에 보이는 상대. 3D 보기의 표시를 클릭하면 그곳을 겨냥합니다</translation>
     </message>
     <message>
         <source>Distance of the opponent, metres</source>
-        <translation type="unfinished"></translation>
+        <translation>상대까지의 거리, 미터</translation>
     </message>
     <message>
         <source>How far ahead the opponent stands, from pelvis to pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>상대가 앞으로 얼마나 떨어져 서 있는지, 골반에서 골반까지</translation>
     </message>
     <message>
         <source>Away, m</source>
-        <translation type="unfinished"></translation>
+        <translation>거리, m</translation>
     </message>
     <message>
         <source>to the left</source>
@@ -2607,15 +2791,15 @@ Undone. Click to redo up to here.</source>
     <name>kumite::studio::HitSession</name>
     <message>
         <source>Aim at the opponent</source>
-        <translation type="unfinished"></translation>
+        <translation>상대를 겨냥</translation>
     </message>
     <message>
         <source>Aim at a place</source>
-        <translation type="unfinished"></translation>
+        <translation>한 지점을 겨냥</translation>
     </message>
     <message>
         <source>Opponent %1 m away</source>
-        <translation type="unfinished"></translation>
+        <translation>상대를 %1 m 앞에</translation>
     </message>
     <message>
         <source>Strike with %1</source>
@@ -3022,31 +3206,31 @@ Undone. Click to redo up to here.</source>
     <name>kumite::studio::JointBox</name>
     <message>
         <source>Joint</source>
-        <translation type="unfinished"></translation>
+        <translation>관절</translation>
     </message>
     <message>
         <source>Joint to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>돌릴 관절</translation>
     </message>
     <message>
         <source>Which joint has rings in the 3D view; J chooses the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 보기에서 고리가 달리는 관절. J가 다음 것을 고릅니다</translation>
     </message>
     <message>
         <source>Turn about %1, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>%1축 회전, 도</translation>
     </message>
     <message>
         <source>About the parent&apos;s %1, degrees; turned about y first, then x, then z</source>
-        <translation type="unfinished"></translation>
+        <translation>부모의 %1축을 중심으로, 도. 먼저 y, 다음 x, 다음 z로 돌립니다</translation>
     </message>
     <message>
         <source>x y z, °</source>
-        <translation type="unfinished"></translation>
+        <translation>x y z, °</translation>
     </message>
     <message>
         <source>How much of the joint&apos;s limits that takes</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 한계를 얼마나 쓰는지</translation>
     </message>
     <message>
         <source>none</source>
@@ -3054,15 +3238,15 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Bent by %1° of %2°, twisted by %3° of %4° from rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>굽힘 %1°(한계 %2°), 비틀림 %3°(한계 %4°).</translation>
     </message>
     <message>
         <source>This joint has no limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 관절에는 한계가 없습니다.</translation>
     </message>
     <message>
         <source>A chosen joint has rings in the 3D view: drag one to turn it.</source>
-        <translation type="unfinished"></translation>
+        <translation>고른 관절에는 3D 보기에서 고리가 달립니다. 끌어서 돌리세요.</translation>
     </message>
 </context>
 <context>
@@ -3089,7 +3273,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source> · beside it without adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation> · 옆에 조정 없는 것</translation>
     </message>
     <message>
         <source> · out of reach by %1 cm</source>
@@ -3136,11 +3320,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Beside it the motion without a&amp;djustment</source>
-        <translation type="unfinished"></translation>
+        <translation>조정 없는 움직임을 옆에(&amp;D)</translation>
     </message>
     <message>
         <source>Keys before and after as &amp;ghosts</source>
-        <translation type="unfinished"></translation>
+        <translation>앞뒤 키를 잔상으로(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Hit a target</source>
@@ -3172,19 +3356,19 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Move the key and later ones earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>이 키와 뒤의 키를 더 일찍</translation>
     </message>
     <message>
         <source>Move the key and later ones later</source>
-        <translation type="unfinished"></translation>
+        <translation>이 키와 뒤의 키를 더 늦게</translation>
     </message>
     <message>
         <source>Later keys closer together</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤의 키를 더 촘촘히</translation>
     </message>
     <message>
         <source>Later keys farther apart</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤의 키를 더 멀리</translation>
     </message>
     <message>
         <source>&amp;Copy the key to the playhead, or behind the last</source>
@@ -3200,7 +3384,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Copy the pose from an&amp;y take or clip…</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크나 클립에서 포즈 복사(&amp;Y)…</translation>
     </message>
     <message>
         <source>The handle &amp;stays where it is, or not</source>
@@ -3212,11 +3396,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Next &amp;joint to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>다음으로 돌릴 관절(&amp;J)</translation>
     </message>
     <message>
         <source>Joint before</source>
-        <translation type="unfinished"></translation>
+        <translation>이전 관절</translation>
     </message>
     <message>
         <source>Handle up</source>
@@ -3264,7 +3448,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>&amp;Replace a part of a take…</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크의 일부 교체(&amp;R)…</translation>
     </message>
     <message>
         <source>&amp;Keep as a take…</source>
@@ -3413,11 +3597,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Show the key &amp;pose</source>
-        <translation type="unfinished"></translation>
+        <translation>키 포즈 표시(&amp;P)</translation>
     </message>
     <message>
         <source>Show the m&amp;otion</source>
-        <translation type="unfinished"></translation>
+        <translation>움직임 표시(&amp;O)</translation>
     </message>
     <message>
         <source>Clips…</source>
@@ -3472,11 +3656,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Move the key and later ones to frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>이 키와 뒤의 키를 프레임 %1(으)로 이동</translation>
     </message>
     <message>
         <source>Later keys %1 times as far</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤의 키를 %1배 거리로</translation>
     </message>
     <message>
         <source>Copy the key to frame %1</source>
@@ -3500,7 +3684,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Turn the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 돌리기</translation>
     </message>
     <message>
         <source>Move the %1 a little</source>
@@ -3540,10 +3724,6 @@ Undone. Click to redo up to here.</source>
 </context>
 <context>
     <name>kumite::studio::KeysPage</name>
-    <message>
-        <source>Kumite: keys and mouse</source>
-        <translation>Kumite: 단축키와 마우스</translation>
-    </message>
     <message>
         <source>Mouse on the timeline</source>
         <translation>타임라인에서의 마우스</translation>
@@ -3673,6 +3853,10 @@ Undone. Click to redo up to here.</source>
         <translation>이 글자가 있는 줄을 표시합니다</translation>
     </message>
     <message>
+        <source>Print…</source>
+        <translation>인쇄…</translation>
+    </message>
+    <message>
         <source>Save as PDF…</source>
         <translation>PDF로 저장…</translation>
     </message>
@@ -3681,8 +3865,12 @@ Undone. Click to redo up to here.</source>
         <translation>단축키 바꾸기…</translation>
     </message>
     <message>
-        <source>The whole sheet, to be printed.</source>
-        <translation>인쇄할 수 있는 전체 표.</translation>
+        <source>The keys of all workspaces, on paper. (Ctrl+P)</source>
+        <translation>모든 작업 공간의 단축키를 종이에. (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>The keys of all workspaces, as a file.</source>
+        <translation>모든 작업 공간의 단축키를 파일로.</translation>
     </message>
     <message>
         <source>Gives commands other keys, in the preferences.</source>
@@ -3695,6 +3883,18 @@ Undone. Click to redo up to here.</source>
     <message>
         <source>No key and no command holds these letters.</source>
         <translation>이 글자가 있는 단축키나 명령이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Nobody is here to choose a printer.</source>
+        <translation>프린터를 고를 사람이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Print the sheet of keys</source>
+        <translation>단축키 표 인쇄</translation>
+    </message>
+    <message>
+        <source>%1 does not take the sheet.</source>
+        <translation>%1이(가) 표를 받지 않습니다.</translation>
     </message>
     <message>
         <source>Save the sheet of keys</source>
@@ -3840,6 +4040,14 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>Current action</source>
         <translation>현재 동작</translation>
+    </message>
+    <message>
+        <source>Accept what is proposed</source>
+        <translation>제안을 수락합니다</translation>
+    </message>
+    <message>
+        <source>Take the second best instead; of what a hand said, nothing any more</source>
+        <translation>대신 차선을 씁니다. 수동 레이블이면 없앱니다</translation>
     </message>
     <message>
         <source>Why rules say so</source>
@@ -4625,28 +4833,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>어두운 테마</translation>
     </message>
     <message>
+        <source>Larger text</source>
+        <translation>글자 크게</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>글자 작게</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>도움말(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Keys and mouse</source>
-        <translation>단축키와 마우스(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;About Kumite</source>
-        <translation>Kumite 정보(&amp;A)</translation>
-    </message>
-    <message>
-        <source>About Kumite</source>
-        <translation>Kumite 정보</translation>
-    </message>
-    <message>
-        <source>Kumite %1
-
-A studio for annotating two-player martial-arts motion capture.</source>
-        <translation>Kumite %1
-
-2인 무술 모션 캡처에 주석을 다는 스튜디오.</translation>
     </message>
     <message>
         <source>Segment</source>
@@ -4917,8 +5113,8 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <translation>모든 명령</translation>
     </message>
     <message>
-        <source>all keys</source>
-        <translation>모든 단축키</translation>
+        <source>help</source>
+        <translation>도움말</translation>
     </message>
     <message>
         <source>1 finding</source>
@@ -5122,6 +5318,10 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <source>Matrix of transitions</source>
         <translation>전이 행렬</translation>
     </message>
+    <message>
+        <source>A row is what goes on, a column what follows. Arrows lead from cell to cell; the moments behind the chosen one are listed beside it.</source>
+        <translation>행은 진행 중인 것, 열은 뒤따르는 것입니다. 화살표 키로 셀 사이를 옮기며, 선택한 셀의 근거 장면이 옆에 나열됩니다.</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MessageStrip</name>
@@ -5156,27 +5356,27 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>whole body</source>
-        <translation type="unfinished"></translation>
+        <translation>전신</translation>
     </message>
     <message>
         <source>What is looked for</source>
-        <translation type="unfinished"></translation>
+        <translation>찾는 것</translation>
     </message>
     <message>
         <source>In what the places are like the keys: the whole body or one part</source>
-        <translation type="unfinished"></translation>
+        <translation>무엇이 키와 비슷한지: 전신 또는 한 부위</translation>
     </message>
     <message>
         <source>Similar in</source>
-        <translation type="unfinished"></translation>
+        <translation>비슷한 부위</translation>
     </message>
     <message>
         <source>The keys and places like them</source>
-        <translation type="unfinished"></translation>
+        <translation>키와 그와 비슷한 곳</translation>
     </message>
     <message>
         <source>First the keys, then what is most like them; a click takes it</source>
-        <translation type="unfinished"></translation>
+        <translation>먼저 키, 다음은 가장 비슷한 것. 클릭하면 가져옵니다</translation>
     </message>
     <message>
         <source>Places that are like the keys</source>
@@ -5184,7 +5384,7 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>The places that are most like the keys, the best first; a click, or Return, takes the body or the part from there</source>
-        <translation type="unfinished"></translation>
+        <translation>키와 가장 비슷한 곳, 좋은 것부터. 클릭이나 Enter로 그곳의 몸이나 부위를 가져옵니다</translation>
     </message>
     <message>
         <source>what fits better</source>
@@ -5200,7 +5400,7 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>as chosen above</source>
-        <translation type="unfinished"></translation>
+        <translation>위에서 고른 대로</translation>
     </message>
     <message>
         <source>Where the %1 comes from</source>
@@ -5256,11 +5456,11 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>the keys</source>
-        <translation type="unfinished"></translation>
+        <translation>키</translation>
     </message>
     <message>
         <source>Take the %1 from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 다른 곳에서 가져오기</translation>
     </message>
     <message>
         <source>Take the body from elsewhere</source>
@@ -5298,8 +5498,16 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <translation>간선의 최소 확률</translation>
     </message>
     <message>
+        <source>Edges that are less probable are not drawn.</source>
+        <translation>확률이 이보다 낮은 간선은 그리지 않습니다.</translation>
+    </message>
+    <message>
         <source>Most edges from a node</source>
         <translation>노드당 최대 간선 수</translation>
+    </message>
+    <message>
+        <source>So many edges of each node are drawn, the likeliest ones.</source>
+        <translation>노드마다 가장 유력한 간선을 이만큼 그립니다.</translation>
     </message>
     <message>
         <source>ΔP ≥ 0.000</source>
@@ -5365,79 +5573,79 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Replace a part of a take</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크의 일부 교체</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>대상</translation>
     </message>
     <message>
         <source>take that is changed</source>
-        <translation type="unfinished"></translation>
+        <translation>바뀌는 테이크</translation>
     </message>
     <message>
         <source>Part that is replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>교체되는 부위</translation>
     </message>
     <message>
         <source>Where the part hangs on the rest its joint keeps the take&apos;s mean and spread</source>
-        <translation type="unfinished"></translation>
+        <translation>부위가 이어지는 관절은 테이크의 평균과 산포를 유지합니다</translation>
     </message>
     <message>
         <source>The</source>
-        <translation type="unfinished"></translation>
+        <translation>부위</translation>
     </message>
     <message>
         <source>By that of</source>
-        <translation type="unfinished"></translation>
+        <translation>제공</translation>
     </message>
     <message>
         <source>take or clip that lends the part</source>
-        <translation type="unfinished"></translation>
+        <translation>부위를 빌려주는 테이크나 클립</translation>
     </message>
     <message>
         <source>The take, what lends the part, and the result</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크, 부위 제공, 결과</translation>
     </message>
     <message>
         <source>What becomes of it</source>
-        <translation type="unfinished"></translation>
+        <translation>어떻게 되는지</translation>
     </message>
     <message>
         <source>Keep as a take…</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크로 보관…</translation>
     </message>
     <message>
         <source>The %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1</translation>
     </message>
     <message>
         <source>First frame of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 첫 프레임</translation>
     </message>
     <message>
         <source>Last frame of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 마지막 프레임</translation>
     </message>
     <message>
         <source>%1, at %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2 Hz</translation>
     </message>
     <message>
         <source>as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>그대로</translation>
     </message>
     <message>
         <source>what lends the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 제공</translation>
     </message>
     <message>
         <source>the result</source>
-        <translation type="unfinished"></translation>
+        <translation>결과</translation>
     </message>
     <message>
         <source>%1 of the take&apos;s %2 are changed, in the %3 only; all else stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크의 %2 중 %1이(가) 바뀝니다, %3만. 나머지는 그대로입니다.</translation>
     </message>
 </context>
 <context>
@@ -5519,7 +5727,7 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>and later keys</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤의 키도</translation>
     </message>
     <message>
         <source>The chosen key</source>
@@ -5563,31 +5771,31 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Frame of the key</source>
-        <translation type="unfinished"></translation>
+        <translation>키의 프레임</translation>
     </message>
     <message>
         <source>Moves the key to that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>키를 그 프레임으로 옮깁니다</translation>
     </message>
     <message>
         <source>Later keys go as many frames along</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤의 키도 같은 프레임 수만큼 움직입니다</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임</translation>
     </message>
     <message>
         <source>Time from this key on, times</source>
-        <translation type="unfinished"></translation>
+        <translation>이 키부터의 시간 배율</translation>
     </message>
     <message>
         <source>All later keys that many times as far from this one: 2 is half as fast</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤의 모든 키를 그 배수만큼 멀리. 2는 절반 속도</translation>
     </message>
     <message>
         <source>Time on</source>
-        <translation type="unfinished"></translation>
+        <translation>이후 시간</translation>
     </message>
     <message>
         <source>Frame %1. Drag hands, feet, hips, chest or head in the 3D view.</source>
@@ -5606,31 +5814,31 @@ A studio for annotating two-player martial-arts motion capture.</source>
     <name>kumite::studio::PoseDialog</name>
     <message>
         <source>Copy a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 복사</translation>
     </message>
     <message>
         <source>Take or clip</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크나 클립</translation>
     </message>
     <message>
         <source>Whose pose is copied: a fighter of a take, or a clip</source>
-        <translation type="unfinished"></translation>
+        <translation>누구의 포즈를 복사할지: 테이크의 선수 또는 클립</translation>
     </message>
     <message>
         <source>The pose</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈</translation>
     </message>
     <message>
         <source>Moment</source>
-        <translation type="unfinished"></translation>
+        <translation>시점</translation>
     </message>
     <message>
         <source>Which moment; arrow keys go on by one frame</source>
-        <translation type="unfinished"></translation>
+        <translation>어느 시점인지. 화살표 키는 한 프레임씩 갑니다</translation>
     </message>
     <message>
         <source>Frame of the take or clip</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크나 클립의 프레임</translation>
     </message>
     <message>
         <source>Time</source>
@@ -5638,15 +5846,15 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Copy the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 복사</translation>
     </message>
     <message>
         <source>frame %1 at %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1, %2 Hz</translation>
     </message>
     <message>
         <source>Copy the pose of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 포즈 복사</translation>
     </message>
 </context>
 <context>
@@ -5701,19 +5909,39 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>언어</translation>
     </message>
     <message>
         <source>Of all texts, numbers and dates in the window; files do not know it. The window is made anew at once, with what is open in it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playback</source>
-        <translation>재생</translation>
+        <translation>창의 모든 글, 숫자, 날짜의 언어. 파일에는 영향이 없습니다. 열린 것을 그대로 두고 창을 바로 다시 만듭니다.</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
+    </message>
+    <message>
+        <source>Text size, percent</source>
+        <translation>글자 크기, 퍼센트</translation>
+    </message>
+    <message>
+        <source>How large all text is; pages that it makes too large can be scrolled.</source>
+        <translation>모든 글자의 크기. 너무 커진 페이지는 스크롤할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>글자 크기</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>움직임 줄이기</translation>
+    </message>
+    <message>
+        <source>Nothing begins to move by itself: questions and similar actions stand still until you play them.</source>
+        <translation>아무것도 저절로 움직이지 않습니다. 질문과 비슷한 동작은 재생할 때까지 멈춰 있습니다.</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>재생</translation>
     </message>
     <message>
         <source>Playback speed of a bout that is opened, percent</source>
@@ -5815,6 +6043,10 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <translation>수락할 최소 확률</translation>
     </message>
     <message>
+        <source>Proposals that are at least so probable are accepted.</source>
+        <translation>확률이 이 값 이상인 제안을 수락합니다.</translation>
+    </message>
+    <message>
         <source>%1 actions: %2 labelled by hand (dark), %3 accepted (light), %4 open</source>
         <translation>동작 %1개: 수동 레이블 %2(진하게), 수락 %3(연하게), 미정 %4</translation>
     </message>
@@ -5888,6 +6120,10 @@ A studio for annotating two-player martial-arts motion capture.</source>
     <message>
         <source>Aspect of the confusion matrix</source>
         <translation>혼동 행렬의 측면</translation>
+    </message>
+    <message>
+        <source>Whose classes the matrix and the list are about.</source>
+        <translation>행렬과 목록에서 다루는 클래스의 측면.</translation>
     </message>
     <message>
         <source>What the cell says</source>
@@ -7167,6 +7403,104 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
     </message>
 </context>
 <context>
+    <name>kumite::studio::Tour</name>
+    <message>
+        <source>&amp;Tour on the demo bout</source>
+        <translation>데모 대련 둘러보기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tour: next step</source>
+        <translation>둘러보기: 다음 단계</translation>
+    </message>
+    <message>
+        <source>Tour: step before</source>
+        <translation>둘러보기: 이전 단계</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>둘러보기 나가기</translation>
+    </message>
+    <message>
+        <source>Correct a suspect</source>
+        <translation>의심점 바로잡기</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
+        <translation>힘의 극소점이 대련을 동작으로 나눕니다. 몇 개는 틀렸습니다. %1을(를) 누르면 가장 유력한 의심점으로 가서 이유를 보여 줍니다. %2(으)로 재생해 살펴보고, %3(으)로 유지하거나 %4(으)로 제거하세요.</translation>
+    </message>
+    <message>
+        <source>Label an action</source>
+        <translation>동작에 레이블 붙이기</translation>
+    </message>
+    <message>
+        <source>%1 leads to the action that says most; it loops. Say what it is: %2 is a left punch forward, %3 a right one; the palette shows the other keys.</source>
+        <translation>%1을(를) 누르면 가장 도움이 되는 동작으로 가서 루프로 재생합니다. 무엇인지 답하세요: %2 왼손 펀치 앞으로, %3 오른손 펀치 앞으로. 다른 키는 팔레트에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Let the machine say the rest</source>
+        <translation>나머지는 학습기에 맡기기</translation>
+    </message>
+    <message>
+        <source>A machine learns from your labels. One is few: here a third of the bout can be labelled for you. Then %1 accepts all that the machine is sure of; %2 takes it back.</source>
+        <translation>학습기는 사용자의 레이블에서 배웁니다. 하나로는 부족하니, 여기서는 대련의 3분의 1에 레이블을 대신 붙일 수 있습니다. 그런 다음 %1(으)로 학습기가 확신하는 것을 모두 수락하고, %2(으)로 되돌립니다.</translation>
+    </message>
+    <message>
+        <source>Label a third for me</source>
+        <translation>3분의 1 레이블 대신 붙이기</translation>
+    </message>
+    <message>
+        <source>See what follows what</source>
+        <translation>무엇이 무엇을 뒤따르는지 보기</translation>
+    </message>
+    <message>
+        <source>A row is what goes on, a column what comes next. Click a cell: the moments behind it are listed, a click plays one. %1 leads to the most surprising moment.</source>
+        <translation>행은 진행 중인 것, 열은 다음에 오는 것입니다. 셀을 클릭하면 근거 장면이 나열되고, 장면을 클릭하면 재생합니다. %1을(를) 누르면 가장 의외인 순간으로 갑니다.</translation>
+    </message>
+    <message>
+        <source>Let them fight on</source>
+        <translation>계속 싸우게 하기</translation>
+    </message>
+    <message>
+        <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
+        <translation>%1을(를) 누르면 배운 것으로 만든, 실제로는 없던 대련이 시작됩니다. 모든 선택이 오른쪽에 보이고, 클릭하면 다른 것을 고릅니다. %2(으)로 돌아가고, %3(으)로 다르게 계속합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::TourBox</name>
+    <message>
+        <source>Back</source>
+        <translation>뒤로</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ 완료</translation>
+    </message>
+    <message>
+        <source>This step is done</source>
+        <translation>이 단계를 마쳤습니다</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>나가기</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 / %2: %3</translation>
+    </message>
+    <message>
+        <source>Tour, step %1</source>
+        <translation>둘러보기, %1단계</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>마치기</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>다음</translation>
+    </message>
+</context>
+<context>
     <name>kumite::studio::TraceBox</name>
     <message>
         <source>Behind it</source>
@@ -7630,7 +7964,7 @@ This is what came next</source>
     <name>kumite::studio::Words</name>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1%</translation>
     </message>
     <message>
         <source>prominence %1</source>

@@ -189,6 +189,13 @@
     </message>
 </context>
 <context>
+    <name>KeysSheet</name>
+    <message>
+        <source>Kumite: keys and mouse</source>
+        <translation>Kumite：按鍵與滑鼠</translation>
+    </message>
+</context>
+<context>
     <name>Vocabulary</name>
     <message>
         <source>Left punch</source>
@@ -297,6 +304,13 @@
     <message>
         <source>nothing</source>
         <translation>無</translation>
+    </message>
+</context>
+<context>
+    <name>WhatsThis</name>
+    <message>
+        <source>Key: %1</source>
+        <translation>按鍵：%1</translation>
     </message>
 </context>
 <context>
@@ -569,6 +583,14 @@
         <translation>最大化, 全螢幕</translation>
     </message>
     <message>
+        <source>font size, zoom, bigger, accessibility, scale</source>
+        <translation>文字大小, 縮放, 放大, 無障礙, 比例</translation>
+    </message>
+    <message>
+        <source>font size, zoom, scale</source>
+        <translation>文字大小, 縮放, 比例</translation>
+    </message>
+    <message>
         <source>dark mode, light mode, colours, auto</source>
         <translation>深色模式, 淺色模式, 顏色, 自動</translation>
     </message>
@@ -698,51 +720,51 @@
     </message>
     <message>
         <source>paste pose, browse, frame, library, import pose</source>
-        <translation type="unfinished"></translation>
+        <translation>貼上姿勢, 瀏覽, 影格, 資料庫, 匯入姿勢</translation>
     </message>
     <message>
         <source>rotate, gizmo, ring, fk, angle, elbow, knee</source>
-        <translation type="unfinished"></translation>
+        <translation>旋轉, 操縱環, 環, fk, 角度, 手肘, 膝蓋</translation>
     </message>
     <message>
         <source>rotate, gizmo, ring, fk, angle</source>
-        <translation type="unfinished"></translation>
+        <translation>旋轉, 操縱環, 環, fk, 角度</translation>
     </message>
     <message>
         <source>ripple, shift, time, slide left</source>
-        <translation type="unfinished"></translation>
+        <translation>移動, 時間, 向左</translation>
     </message>
     <message>
         <source>ripple, shift, time, slide right</source>
-        <translation type="unfinished"></translation>
+        <translation>移動, 時間, 向右</translation>
     </message>
     <message>
         <source>retime, faster, speed up, compress, scale time</source>
-        <translation type="unfinished"></translation>
+        <translation>調整時間, 加快, 加速, 壓縮, 時間比例</translation>
     </message>
     <message>
         <source>retime, slower, slow down, stretch, scale time</source>
-        <translation type="unfinished"></translation>
+        <translation>調整時間, 放慢, 減速, 拉長, 時間比例</translation>
     </message>
     <message>
         <source>before, after, compare, side by side, a/b, unadjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>之前, 之後, 比較, 並排, a/b, 未調整</translation>
     </message>
     <message>
         <source>onion skin, onion skinning, ghost</source>
-        <translation type="unfinished"></translation>
+        <translation>洋蔥皮, 殘影</translation>
     </message>
     <message>
         <source>partial edit, swap arm, splice, layer, fix, retake</source>
-        <translation type="unfinished"></translation>
+        <translation>局部編輯, 換手臂, 拼接, 圖層, 修正, 重拍</translation>
     </message>
     <message>
         <source>tab, panel, joint, handle</source>
-        <translation type="unfinished"></translation>
+        <translation>分頁, 面板, 關節, 控制點</translation>
     </message>
     <message>
         <source>tab, panel, find similar, retrieval, sources, parts</source>
-        <translation type="unfinished"></translation>
+        <translation>分頁, 面板, 尋找相似, 檢索, 來源, 部位</translation>
     </message>
     <message>
         <source>lock, fix, nail, constraint, hold foot</source>
@@ -889,8 +911,36 @@
         <translation>群集, 姿勢, 圖, 空間</translation>
     </message>
     <message>
-        <source>shortcuts, hotkeys, cheat sheet, help, manual</source>
-        <translation>快速鍵, 熱鍵, 速查表, 說明, 手冊</translation>
+        <source>manual, documentation, guide</source>
+        <translation>手冊, 文件, 指南, 使用說明</translation>
+    </message>
+    <message>
+        <source>tutorial, introduction, start, guide</source>
+        <translation>教學, 簡介, 入門, 指南</translation>
+    </message>
+    <message>
+        <source>formula, explain, statistics, papers, sources</source>
+        <translation>公式, 解說, 統計, 論文, 來源</translation>
+    </message>
+    <message>
+        <source>tutorial, introduction, walkthrough, wizard, guide</source>
+        <translation>教學, 簡介, 導覽, 精靈, 指南</translation>
+    </message>
+    <message>
+        <source>explain, context help</source>
+        <translation>解說, 情境說明, 這是什麼</translation>
+    </message>
+    <message>
+        <source>explain, accessibility</source>
+        <translation>解說, 無障礙, 協助工具</translation>
+    </message>
+    <message>
+        <source>shortcuts, hotkeys, cheat sheet, help, manual, print</source>
+        <translation>快速鍵, 熱鍵, 速查表, 說明, 手冊, 列印</translation>
+    </message>
+    <message>
+        <source>release notes, changelog, news, version</source>
+        <translation>版本說明, 更新記錄, 新功能, 最新消息, 版本</translation>
     </message>
     <message>
         <source>version, licence, license</source>
@@ -902,6 +952,10 @@
     <message>
         <source>Similar actions</source>
         <translation>相似動作</translation>
+    </message>
+    <message>
+        <source>Those that look most like the current action, side by side.</source>
+        <translation>與目前動作最相似的動作，並排顯示。</translation>
     </message>
 </context>
 <context>
@@ -1302,6 +1356,14 @@ Return 加入，Shift+Return 取代所選區塊</translation>
     <message>
         <source>Who is led</source>
         <translation>操控哪一方</translation>
+    </message>
+    <message>
+        <source>The fighter that replays a captured attack</source>
+        <translation>重播錄下攻擊的選手</translation>
+    </message>
+    <message>
+        <source>The fighter that keys and clicks on the floor lead</source>
+        <translation>由按鍵與點選地板操控的選手</translation>
     </message>
     <message>
         <source>A bout is being prepared.</source>
@@ -2482,6 +2544,128 @@ Double-click: start, place, floor, joints</source>
         <source>Graph of transitions</source>
         <translation>轉換的圖</translation>
     </message>
+    <message>
+        <source>A node is a label, an edge leads to what follows. A click shows the moments behind it.</source>
+        <translation>節點是標籤，邊通往接下來的標籤。按一下可顯示背後的片刻。</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::Help</name>
+    <message>
+        <source>&amp;Help on this workspace</source>
+        <translation>此工作區的說明(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;First steps</source>
+        <translation>入門(&amp;F)</translation>
+    </message>
+    <message>
+        <source>What the &amp;numbers mean</source>
+        <translation>數字的意義(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;What is this? Click on it</source>
+        <translation>這是什麼？請點選(&amp;W)</translation>
+    </message>
+    <message>
+        <source>What has the f&amp;ocus?</source>
+        <translation>焦點在哪裡？(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>按鍵與滑鼠(&amp;K)</translation>
+    </message>
+    <message>
+        <source>What is n&amp;ew</source>
+        <translation>新功能(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;About Kumite</source>
+        <translation>關於 Kumite(&amp;A)</translation>
+    </message>
+    <message>
+        <source>About Kumite</source>
+        <translation>關於 Kumite</translation>
+    </message>
+    <message>
+        <source>Kumite %1
+
+A studio for annotating two-player martial-arts motion capture.</source>
+        <translation>Kumite %1
+
+為雙人武術動作捕捉加註的工作室。</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::HelpWindow</name>
+    <message>
+        <source>The page before</source>
+        <translation>上一頁</translation>
+    </message>
+    <message>
+        <source>On again</source>
+        <translation>再往前</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>說明</translation>
+    </message>
+    <message>
+        <source>Close the help (Esc)</source>
+        <translation>關閉說明 (Esc)</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>搜尋所有頁面</translation>
+    </message>
+    <message>
+        <source>Shows the pages that hold all of these words. Return: the next place; Shift+Return: the one before. (Ctrl+F)</source>
+        <translation>顯示含有所有這些字詞的頁面。Return：下一處；Shift+Return：上一處。(Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>How often the words were found</source>
+        <translation>找到字詞的次數</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>目錄</translation>
+    </message>
+    <message>
+        <source>The pages of the help</source>
+        <translation>說明的頁面</translation>
+    </message>
+    <message>
+        <source>The page</source>
+        <translation>此頁</translation>
+    </message>
+    <message>
+        <source>Tab leads from link to link, Return follows one.</source>
+        <translation>Tab 在連結間移動，Return 開啟連結。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Found %1 times on this page</source>
+        <translation>此頁找到 %1 次</translation>
+    </message>
+    <message>
+        <source>Show this page</source>
+        <translation>顯示此頁</translation>
+    </message>
+    <message>
+        <source>No page holds these words.</source>
+        <translation>沒有頁面含有這些字詞。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 on this page</source>
+        <translation>此頁第 %1 / %2 處</translation>
+    </message>
+    <message>
+        <source>%1 — Help</source>
+        <translation>%1 — 說明</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::HistoryModel</name>
@@ -2520,7 +2704,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Drag the target in the 3D view: the strike follows it. Dots: where whole examples hit; the box: what is reached.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 3D 檢視中拖曳目標，招式會跟隨。點：整段範例擊中之處；方框：可及範圍。</translation>
     </message>
     <message>
         <source>Strike</source>
@@ -2532,27 +2716,27 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>a place</source>
-        <translation type="unfinished"></translation>
+        <translation>一個位置</translation>
     </message>
     <message>
         <source>Aim at</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄準</translation>
     </message>
     <message>
         <source>A place in space, or the opponent as the recording&apos;s playhead shows it; a click on its marks in the 3D view aims there</source>
-        <translation type="unfinished"></translation>
+        <translation>空間中的位置，或播放位置所示的對手；在 3D 檢視中點按其標記即瞄準該處</translation>
     </message>
     <message>
         <source>Distance of the opponent, metres</source>
-        <translation type="unfinished"></translation>
+        <translation>對手的距離，公尺</translation>
     </message>
     <message>
         <source>How far ahead the opponent stands, from pelvis to pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>對手站在前方多遠，由骨盆到骨盆</translation>
     </message>
     <message>
         <source>Away, m</source>
-        <translation type="unfinished"></translation>
+        <translation>距離，m</translation>
     </message>
     <message>
         <source>to the left</source>
@@ -2607,15 +2791,15 @@ Undone. Click to redo up to here.</source>
     <name>kumite::studio::HitSession</name>
     <message>
         <source>Aim at the opponent</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄準對手</translation>
     </message>
     <message>
         <source>Aim at a place</source>
-        <translation type="unfinished"></translation>
+        <translation>瞄準一個位置</translation>
     </message>
     <message>
         <source>Opponent %1 m away</source>
-        <translation type="unfinished"></translation>
+        <translation>對手距離 %1 m</translation>
     </message>
     <message>
         <source>Strike with %1</source>
@@ -3022,31 +3206,31 @@ Undone. Click to redo up to here.</source>
     <name>kumite::studio::JointBox</name>
     <message>
         <source>Joint</source>
-        <translation type="unfinished"></translation>
+        <translation>關節</translation>
     </message>
     <message>
         <source>Joint to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>要轉動的關節</translation>
     </message>
     <message>
         <source>Which joint has rings in the 3D view; J chooses the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>3D 檢視中哪個關節有環；J 選擇下一個</translation>
     </message>
     <message>
         <source>Turn about %1, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>繞 %1 轉動，度</translation>
     </message>
     <message>
         <source>About the parent&apos;s %1, degrees; turned about y first, then x, then z</source>
-        <translation type="unfinished"></translation>
+        <translation>繞上層關節的 %1，度；先繞 y，再 x，再 z</translation>
     </message>
     <message>
         <source>x y z, °</source>
-        <translation type="unfinished"></translation>
+        <translation>x y z，°</translation>
     </message>
     <message>
         <source>How much of the joint&apos;s limits that takes</source>
-        <translation type="unfinished"></translation>
+        <translation>用去關節限度的多少</translation>
     </message>
     <message>
         <source>none</source>
@@ -3054,15 +3238,15 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Bent by %1° of %2°, twisted by %3° of %4° from rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>彎曲 %1°（限度 %2°），扭轉 %3°（限度 %4°）。</translation>
     </message>
     <message>
         <source>This joint has no limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個關節沒有限度。</translation>
     </message>
     <message>
         <source>A chosen joint has rings in the 3D view: drag one to turn it.</source>
-        <translation type="unfinished"></translation>
+        <translation>選定的關節在 3D 檢視中有環：拖曳即可轉動。</translation>
     </message>
 </context>
 <context>
@@ -3089,7 +3273,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source> · beside it without adjustment</source>
-        <translation type="unfinished"></translation>
+        <translation> · 旁邊是未調整的</translation>
     </message>
     <message>
         <source> · out of reach by %1 cm</source>
@@ -3136,11 +3320,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Beside it the motion without a&amp;djustment</source>
-        <translation type="unfinished"></translation>
+        <translation>旁邊顯示未調整的動態(&amp;D)</translation>
     </message>
     <message>
         <source>Keys before and after as &amp;ghosts</source>
-        <translation type="unfinished"></translation>
+        <translation>前後關鍵姿勢顯示為殘影(&amp;G)</translation>
     </message>
     <message>
         <source>&amp;Hit a target</source>
@@ -3172,19 +3356,19 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Move the key and later ones earlier</source>
-        <translation type="unfinished"></translation>
+        <translation>此關鍵姿勢及之後的提早</translation>
     </message>
     <message>
         <source>Move the key and later ones later</source>
-        <translation type="unfinished"></translation>
+        <translation>此關鍵姿勢及之後的延後</translation>
     </message>
     <message>
         <source>Later keys closer together</source>
-        <translation type="unfinished"></translation>
+        <translation>之後的關鍵姿勢更緊密</translation>
     </message>
     <message>
         <source>Later keys farther apart</source>
-        <translation type="unfinished"></translation>
+        <translation>之後的關鍵姿勢更分散</translation>
     </message>
     <message>
         <source>&amp;Copy the key to the playhead, or behind the last</source>
@@ -3200,7 +3384,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Copy the pose from an&amp;y take or clip…</source>
-        <translation type="unfinished"></translation>
+        <translation>從鏡次或片段複製姿勢(&amp;Y)…</translation>
     </message>
     <message>
         <source>The handle &amp;stays where it is, or not</source>
@@ -3212,11 +3396,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Next &amp;joint to turn</source>
-        <translation type="unfinished"></translation>
+        <translation>下一個要轉動的關節(&amp;J)</translation>
     </message>
     <message>
         <source>Joint before</source>
-        <translation type="unfinished"></translation>
+        <translation>上一個關節</translation>
     </message>
     <message>
         <source>Handle up</source>
@@ -3264,7 +3448,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>&amp;Replace a part of a take…</source>
-        <translation type="unfinished"></translation>
+        <translation>取代鏡次的一部分(&amp;R)…</translation>
     </message>
     <message>
         <source>&amp;Keep as a take…</source>
@@ -3413,11 +3597,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Show the key &amp;pose</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示關鍵姿勢(&amp;P)</translation>
     </message>
     <message>
         <source>Show the m&amp;otion</source>
-        <translation type="unfinished"></translation>
+        <translation>顯示動態(&amp;O)</translation>
     </message>
     <message>
         <source>Clips…</source>
@@ -3472,11 +3656,11 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Move the key and later ones to frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>將此關鍵姿勢及之後的移到影格 %1</translation>
     </message>
     <message>
         <source>Later keys %1 times as far</source>
-        <translation type="unfinished"></translation>
+        <translation>之後的關鍵姿勢間隔變為 %1 倍</translation>
     </message>
     <message>
         <source>Copy the key to frame %1</source>
@@ -3500,7 +3684,7 @@ Undone. Click to redo up to here.</source>
     </message>
     <message>
         <source>Turn the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>轉動%1</translation>
     </message>
     <message>
         <source>Move the %1 a little</source>
@@ -3540,10 +3724,6 @@ Undone. Click to redo up to here.</source>
 </context>
 <context>
     <name>kumite::studio::KeysPage</name>
-    <message>
-        <source>Kumite: keys and mouse</source>
-        <translation>Kumite：按鍵與滑鼠</translation>
-    </message>
     <message>
         <source>Mouse on the timeline</source>
         <translation>時間軸上的滑鼠</translation>
@@ -3673,6 +3853,10 @@ Undone. Click to redo up to here.</source>
         <translation>顯示含有這些字的列</translation>
     </message>
     <message>
+        <source>Print…</source>
+        <translation>列印…</translation>
+    </message>
+    <message>
         <source>Save as PDF…</source>
         <translation>另存為 PDF…</translation>
     </message>
@@ -3681,8 +3865,12 @@ Undone. Click to redo up to here.</source>
         <translation>變更按鍵…</translation>
     </message>
     <message>
-        <source>The whole sheet, to be printed.</source>
-        <translation>可列印的整張表。</translation>
+        <source>The keys of all workspaces, on paper. (Ctrl+P)</source>
+        <translation>所有工作區的按鍵，印在紙上。(Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>The keys of all workspaces, as a file.</source>
+        <translation>所有工作區的按鍵，存成檔案。</translation>
     </message>
     <message>
         <source>Gives commands other keys, in the preferences.</source>
@@ -3695,6 +3883,18 @@ Undone. Click to redo up to here.</source>
     <message>
         <source>No key and no command holds these letters.</source>
         <translation>沒有按鍵或命令含有這些字。</translation>
+    </message>
+    <message>
+        <source>Nobody is here to choose a printer.</source>
+        <translation>沒有人可選擇印表機。</translation>
+    </message>
+    <message>
+        <source>Print the sheet of keys</source>
+        <translation>列印按鍵表</translation>
+    </message>
+    <message>
+        <source>%1 does not take the sheet.</source>
+        <translation>%1 不接受這張表。</translation>
     </message>
     <message>
         <source>Save the sheet of keys</source>
@@ -3840,6 +4040,14 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>Current action</source>
         <translation>目前動作</translation>
+    </message>
+    <message>
+        <source>Accept what is proposed</source>
+        <translation>接受建議</translation>
+    </message>
+    <message>
+        <source>Take the second best instead; of what a hand said, nothing any more</source>
+        <translation>改用次佳選項；若是手動標記則清空</translation>
     </message>
     <message>
         <source>Why rules say so</source>
@@ -4625,28 +4833,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>深色佈景主題</translation>
     </message>
     <message>
+        <source>Larger text</source>
+        <translation>放大文字</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>縮小文字</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>說明(&amp;H)</translation>
-    </message>
-    <message>
-        <source>&amp;Keys and mouse</source>
-        <translation>按鍵與滑鼠(&amp;K)</translation>
-    </message>
-    <message>
-        <source>&amp;About Kumite</source>
-        <translation>關於 Kumite(&amp;A)</translation>
-    </message>
-    <message>
-        <source>About Kumite</source>
-        <translation>關於 Kumite</translation>
-    </message>
-    <message>
-        <source>Kumite %1
-
-A studio for annotating two-player martial-arts motion capture.</source>
-        <translation>Kumite %1
-
-為雙人武術動作捕捉加註的工作室。</translation>
     </message>
     <message>
         <source>Segment</source>
@@ -4917,8 +5113,8 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <translation>任何命令</translation>
     </message>
     <message>
-        <source>all keys</source>
-        <translation>所有按鍵</translation>
+        <source>help</source>
+        <translation>說明</translation>
     </message>
     <message>
         <source>1 finding</source>
@@ -5122,6 +5318,10 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <source>Matrix of transitions</source>
         <translation>轉換矩陣</translation>
     </message>
+    <message>
+        <source>A row is what goes on, a column what follows. Arrows lead from cell to cell; the moments behind the chosen one are listed beside it.</source>
+        <translation>列是正在進行的，欄是接下來的。方向鍵在格子間移動；所選格子背後的片刻列在旁邊。</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MessageStrip</name>
@@ -5156,27 +5356,27 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>whole body</source>
-        <translation type="unfinished"></translation>
+        <translation>全身</translation>
     </message>
     <message>
         <source>What is looked for</source>
-        <translation type="unfinished"></translation>
+        <translation>尋找的對象</translation>
     </message>
     <message>
         <source>In what the places are like the keys: the whole body or one part</source>
-        <translation type="unfinished"></translation>
+        <translation>這些位置在何處與關鍵姿勢相似：全身或某個部位</translation>
     </message>
     <message>
         <source>Similar in</source>
-        <translation type="unfinished"></translation>
+        <translation>相似部位</translation>
     </message>
     <message>
         <source>The keys and places like them</source>
-        <translation type="unfinished"></translation>
+        <translation>關鍵姿勢及與其相似的位置</translation>
     </message>
     <message>
         <source>First the keys, then what is most like them; a click takes it</source>
-        <translation type="unfinished"></translation>
+        <translation>先是關鍵姿勢，再來是最相似的；點按即採用</translation>
     </message>
     <message>
         <source>Places that are like the keys</source>
@@ -5184,7 +5384,7 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>The places that are most like the keys, the best first; a click, or Return, takes the body or the part from there</source>
-        <translation type="unfinished"></translation>
+        <translation>與關鍵姿勢最相似的位置，最好的在前；點按或 Enter 即取用該處的身體或部位</translation>
     </message>
     <message>
         <source>what fits better</source>
@@ -5200,7 +5400,7 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>as chosen above</source>
-        <translation type="unfinished"></translation>
+        <translation>依上方所選</translation>
     </message>
     <message>
         <source>Where the %1 comes from</source>
@@ -5256,11 +5456,11 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>the keys</source>
-        <translation type="unfinished"></translation>
+        <translation>關鍵姿勢</translation>
     </message>
     <message>
         <source>Take the %1 from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>從別處取用%1</translation>
     </message>
     <message>
         <source>Take the body from elsewhere</source>
@@ -5298,8 +5498,16 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <translation>邊的最低機率</translation>
     </message>
     <message>
+        <source>Edges that are less probable are not drawn.</source>
+        <translation>機率較低的邊不會畫出。</translation>
+    </message>
+    <message>
         <source>Most edges from a node</source>
         <translation>每個節點最多的邊數</translation>
+    </message>
+    <message>
+        <source>So many edges of each node are drawn, the likeliest ones.</source>
+        <translation>每個節點畫出這麼多條邊，取最可能的。</translation>
     </message>
     <message>
         <source>ΔP ≥ 0.000</source>
@@ -5365,79 +5573,79 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Replace a part of a take</source>
-        <translation type="unfinished"></translation>
+        <translation>取代鏡次的一部分</translation>
     </message>
     <message>
         <source>In</source>
-        <translation type="unfinished"></translation>
+        <translation>在</translation>
     </message>
     <message>
         <source>take that is changed</source>
-        <translation type="unfinished"></translation>
+        <translation>要變更的鏡次</translation>
     </message>
     <message>
         <source>Part that is replaced</source>
-        <translation type="unfinished"></translation>
+        <translation>被取代的部位</translation>
     </message>
     <message>
         <source>Where the part hangs on the rest its joint keeps the take&apos;s mean and spread</source>
-        <translation type="unfinished"></translation>
+        <translation>部位連接之處的關節保留該鏡次的平均與離散</translation>
     </message>
     <message>
         <source>The</source>
-        <translation type="unfinished"></translation>
+        <translation>部位</translation>
     </message>
     <message>
         <source>By that of</source>
-        <translation type="unfinished"></translation>
+        <translation>改用</translation>
     </message>
     <message>
         <source>take or clip that lends the part</source>
-        <translation type="unfinished"></translation>
+        <translation>提供部位的鏡次或片段</translation>
     </message>
     <message>
         <source>The take, what lends the part, and the result</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次、部位的來源與結果</translation>
     </message>
     <message>
         <source>What becomes of it</source>
-        <translation type="unfinished"></translation>
+        <translation>結果如何</translation>
     </message>
     <message>
         <source>Keep as a take…</source>
-        <translation type="unfinished"></translation>
+        <translation>保留為鏡次…</translation>
     </message>
     <message>
         <source>The %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1</translation>
     </message>
     <message>
         <source>First frame of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1的第一個影格</translation>
     </message>
     <message>
         <source>Last frame of the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1的最後一個影格</translation>
     </message>
     <message>
         <source>%1, at %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>%1，%2 Hz</translation>
     </message>
     <message>
         <source>as it is</source>
-        <translation type="unfinished"></translation>
+        <translation>原樣</translation>
     </message>
     <message>
         <source>what lends the %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1的來源</translation>
     </message>
     <message>
         <source>the result</source>
-        <translation type="unfinished"></translation>
+        <translation>結果</translation>
     </message>
     <message>
         <source>%1 of the take&apos;s %2 are changed, in the %3 only; all else stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次的 %2 中變更 %1，只限%3；其餘不變。</translation>
     </message>
 </context>
 <context>
@@ -5519,7 +5727,7 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>and later keys</source>
-        <translation type="unfinished"></translation>
+        <translation>以及之後的</translation>
     </message>
     <message>
         <source>The chosen key</source>
@@ -5563,31 +5771,31 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Frame of the key</source>
-        <translation type="unfinished"></translation>
+        <translation>關鍵姿勢的影格</translation>
     </message>
     <message>
         <source>Moves the key to that frame</source>
-        <translation type="unfinished"></translation>
+        <translation>將關鍵姿勢移到該影格</translation>
     </message>
     <message>
         <source>Later keys go as many frames along</source>
-        <translation type="unfinished"></translation>
+        <translation>之後的關鍵姿勢移動同樣的影格數</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation type="unfinished"></translation>
+        <translation>影格</translation>
     </message>
     <message>
         <source>Time from this key on, times</source>
-        <translation type="unfinished"></translation>
+        <translation>由此之後的時間倍數</translation>
     </message>
     <message>
         <source>All later keys that many times as far from this one: 2 is half as fast</source>
-        <translation type="unfinished"></translation>
+        <translation>之後所有關鍵姿勢與此的距離變為該倍數：2 為一半速度</translation>
     </message>
     <message>
         <source>Time on</source>
-        <translation type="unfinished"></translation>
+        <translation>之後時間</translation>
     </message>
     <message>
         <source>Frame %1. Drag hands, feet, hips, chest or head in the 3D view.</source>
@@ -5606,31 +5814,31 @@ A studio for annotating two-player martial-arts motion capture.</source>
     <name>kumite::studio::PoseDialog</name>
     <message>
         <source>Copy a pose</source>
-        <translation type="unfinished"></translation>
+        <translation>複製姿勢</translation>
     </message>
     <message>
         <source>Take or clip</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次或片段</translation>
     </message>
     <message>
         <source>Whose pose is copied: a fighter of a take, or a clip</source>
-        <translation type="unfinished"></translation>
+        <translation>複製誰的姿勢：鏡次中的選手或片段</translation>
     </message>
     <message>
         <source>The pose</source>
-        <translation type="unfinished"></translation>
+        <translation>姿勢</translation>
     </message>
     <message>
         <source>Moment</source>
-        <translation type="unfinished"></translation>
+        <translation>時刻</translation>
     </message>
     <message>
         <source>Which moment; arrow keys go on by one frame</source>
-        <translation type="unfinished"></translation>
+        <translation>哪個時刻；方向鍵每次一個影格</translation>
     </message>
     <message>
         <source>Frame of the take or clip</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次或片段的影格</translation>
     </message>
     <message>
         <source>Time</source>
@@ -5638,15 +5846,15 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Copy the pose</source>
-        <translation type="unfinished"></translation>
+        <translation>複製姿勢</translation>
     </message>
     <message>
         <source>frame %1 at %2 Hz</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1，%2 Hz</translation>
     </message>
     <message>
         <source>Copy the pose of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>複製%1的姿勢</translation>
     </message>
 </context>
 <context>
@@ -5701,19 +5909,39 @@ A studio for annotating two-player martial-arts motion capture.</source>
     </message>
     <message>
         <source>Language</source>
-        <translation type="unfinished"></translation>
+        <translation>語言</translation>
     </message>
     <message>
         <source>Of all texts, numbers and dates in the window; files do not know it. The window is made anew at once, with what is open in it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playback</source>
-        <translation>播放</translation>
+        <translation>視窗中所有文字、數字與日期的語言；檔案不受影響。視窗會立即重新建立，並保留開啟的內容。</translation>
     </message>
     <message>
         <source> %</source>
         <translation> %</translation>
+    </message>
+    <message>
+        <source>Text size, percent</source>
+        <translation>文字大小，百分比</translation>
+    </message>
+    <message>
+        <source>How large all text is; pages that it makes too large can be scrolled.</source>
+        <translation>所有文字的大小；因此過大的頁面可以捲動。</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>文字大小</translation>
+    </message>
+    <message>
+        <source>Reduce motion</source>
+        <translation>減少動態</translation>
+    </message>
+    <message>
+        <source>Nothing begins to move by itself: questions and similar actions stand still until you play them.</source>
+        <translation>不會有東西自行動起來：問題與相似動作會靜止，直到您播放。</translation>
+    </message>
+    <message>
+        <source>Playback</source>
+        <translation>播放</translation>
     </message>
     <message>
         <source>Playback speed of a bout that is opened, percent</source>
@@ -5815,6 +6043,10 @@ A studio for annotating two-player martial-arts motion capture.</source>
         <translation>接受的最低機率</translation>
     </message>
     <message>
+        <source>Proposals that are at least so probable are accepted.</source>
+        <translation>機率至少這麼高的建議會被接受。</translation>
+    </message>
+    <message>
         <source>%1 actions: %2 labelled by hand (dark), %3 accepted (light), %4 open</source>
         <translation>%1 個動作：%2 個手動標記（深），%3 個已接受（淺），%4 個未定</translation>
     </message>
@@ -5888,6 +6120,10 @@ A studio for annotating two-player martial-arts motion capture.</source>
     <message>
         <source>Aspect of the confusion matrix</source>
         <translation>混淆矩陣的面向</translation>
+    </message>
+    <message>
+        <source>Whose classes the matrix and the list are about.</source>
+        <translation>矩陣與清單所顯示類別的面向。</translation>
     </message>
     <message>
         <source>What the cell says</source>
@@ -7167,6 +7403,104 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
     </message>
 </context>
 <context>
+    <name>kumite::studio::Tour</name>
+    <message>
+        <source>&amp;Tour on the demo bout</source>
+        <translation>示範對打導覽(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Tour: next step</source>
+        <translation>導覽：下一步</translation>
+    </message>
+    <message>
+        <source>Tour: step before</source>
+        <translation>導覽：上一步</translation>
+    </message>
+    <message>
+        <source>Leave the tour</source>
+        <translation>離開導覽</translation>
+    </message>
+    <message>
+        <source>Correct a suspect</source>
+        <translation>修正可疑點</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
+        <translation>力的極小值將對打切成動作；少數是錯的。%1 前往最可能有錯的，並說明原因。看看它，%2 播放。%3 保留，%4 移除。</translation>
+    </message>
+    <message>
+        <source>Label an action</source>
+        <translation>標記動作</translation>
+    </message>
+    <message>
+        <source>%1 leads to the action that says most; it loops. Say what it is: %2 is a left punch forward, %3 a right one; the palette shows the other keys.</source>
+        <translation>%1 前往最有幫助的動作，並循環播放。說明它是什麼：%2 是左拳向前，%3 是右拳；面板會顯示其他按鍵。</translation>
+    </message>
+    <message>
+        <source>Let the machine say the rest</source>
+        <translation>其餘讓機器標記</translation>
+    </message>
+    <message>
+        <source>A machine learns from your labels. One is few: here a third of the bout can be labelled for you. Then %1 accepts all that the machine is sure of; %2 takes it back.</source>
+        <translation>機器從你的標籤學習。一個太少：這裡可以替你標記三分之一的對打。接著 %1 接受機器有把握的全部；%2 可復原。</translation>
+    </message>
+    <message>
+        <source>Label a third for me</source>
+        <translation>替我標記三分之一</translation>
+    </message>
+    <message>
+        <source>See what follows what</source>
+        <translation>看看什麼接在什麼之後</translation>
+    </message>
+    <message>
+        <source>A row is what goes on, a column what comes next. Click a cell: the moments behind it are listed, a click plays one. %1 leads to the most surprising moment.</source>
+        <translation>列是正在進行的，欄是接下來的。點選格子：背後的片刻會列出，按一下播放。%1 前往最意外的片刻。</translation>
+    </message>
+    <message>
+        <source>Let them fight on</source>
+        <translation>讓他們繼續對打</translation>
+    </message>
+    <message>
+        <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
+        <translation>%1 開始一場從未發生過的對打，由所學內容產生。每個選擇都列在右側；按一下改選另一個。%2 後退，%3 換個走向繼續。</translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::TourBox</name>
+    <message>
+        <source>Back</source>
+        <translation>上一步</translation>
+    </message>
+    <message>
+        <source>✓ Done</source>
+        <translation>✓ 完成</translation>
+    </message>
+    <message>
+        <source>This step is done</source>
+        <translation>此步驟已完成</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>離開</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <translation>%1 / %2：%3</translation>
+    </message>
+    <message>
+        <source>Tour, step %1</source>
+        <translation>導覽，步驟 %1</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>下一步</translation>
+    </message>
+</context>
+<context>
     <name>kumite::studio::TraceBox</name>
     <message>
         <source>Behind it</source>
@@ -7630,7 +7964,7 @@ This is what came next</source>
     <name>kumite::studio::Words</name>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1%</translation>
     </message>
     <message>
         <source>prominence %1</source>
