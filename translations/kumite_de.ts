@@ -187,6 +187,18 @@
         <source>at %1, fighter %2</source>
         <translation>bei %1, Kämpfer %2</translation>
     </message>
+    <message>
+        <source>A model of two fighters needs a take with two of them.</source>
+        <translation>Ein Modell zweier Kämpfer braucht einen Take mit zweien.</translation>
+    </message>
+    <message>
+        <source>No action is labelled yet: label some by hand and let the machine do the rest, or import labels.</source>
+        <translation>Noch ist keine Aktion gelabelt: einige von Hand labeln und die Maschine den Rest machen lassen oder Labels importieren.</translation>
+    </message>
+    <message>
+        <source>No transition has the labels of all its three actions: label more of both fighters.</source>
+        <translation>Kein Übergang hat die Labels aller drei Aktionen: mehr von beiden Kämpfern labeln.</translation>
+    </message>
 </context>
 <context>
     <name>KeysSheet</name>
@@ -1113,7 +1125,7 @@ Eingabe fügt sie hinzu, Umschalt+Eingabe tauscht den gewählten Block gegen sie
         <translation>Avatar: Taste %1</translation>
     </message>
     <message>
-        <source>Avatar: &amp;forget what was asked for</source>
+        <source>Avatar: forget &amp;what was asked for</source>
         <translation>Avatar: Gewünschtes ver&amp;gessen</translation>
     </message>
     <message>
@@ -2417,11 +2429,11 @@ Doppelklick: Start, Ort, Boden, Gelenke</translation>
         <translation>Überraschung aus &amp;beiden Termen</translation>
     </message>
     <message>
-        <source>Surprise of the label &amp;term</source>
+        <source>S&amp;urprise of the label term</source>
         <translation>Überraschung aus dem &amp;Label-Term</translation>
     </message>
     <message>
-        <source>Surprise of the geo&amp;metry term</source>
+        <source>Su&amp;rprise of the geometry term</source>
         <translation>Überraschung aus dem &amp;Geometrie-Term</translation>
     </message>
     <message>
@@ -2429,7 +2441,7 @@ Doppelklick: Start, Ort, Boden, Gelenke</translation>
         <translation>Zeilen nach &amp;eigenem Label</translation>
     </message>
     <message>
-        <source>Rows by o&amp;pponent&apos;s label</source>
+        <source>Ro&amp;ws by opponent&apos;s label</source>
         <translation>Zeilen nach Label &amp;des Gegners</translation>
     </message>
     <message>
@@ -3376,7 +3388,7 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
     </message>
     <message>
         <source>M&amp;irror the pose</source>
-        <translation>Pose s&amp;piegeln</translation>
+        <translation>Pose sp&amp;iegeln</translation>
     </message>
     <message>
         <source>&amp;Take the pose that the recording shows</source>
@@ -3384,11 +3396,11 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
     </message>
     <message>
         <source>Copy the pose from an&amp;y take or clip…</source>
-        <translation>Pose aus ein&amp;em Take oder Clip kopieren…</translation>
+        <translation>Pose aus einem Take oder &amp;Clip kopieren…</translation>
     </message>
     <message>
         <source>The handle &amp;stays where it is, or not</source>
-        <translation>&amp;Griff bleibt, wo er ist, oder nicht</translation>
+        <translation>Griff bleibt, &amp;wo er ist, oder nicht</translation>
     </message>
     <message>
         <source>Next handle</source>
@@ -3396,7 +3408,7 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
     </message>
     <message>
         <source>Next &amp;joint to turn</source>
-        <translation>Nächstes &amp;Gelenk zum Drehen</translation>
+        <translation>Näc&amp;hstes Gelenk zum Drehen</translation>
     </message>
     <message>
         <source>Joint before</source>
@@ -3443,11 +3455,11 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
         <translation>Clips aus &amp;Dateien hinzufügen…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
+        <source>Add cl&amp;ips of a folder…</source>
         <translation>Clips eines &amp;Ordners hinzufügen…</translation>
     </message>
     <message>
-        <source>&amp;Replace a part of a take…</source>
+        <source>R&amp;eplace a part of a take…</source>
         <translation>Teil eines Takes e&amp;rsetzen…</translation>
     </message>
     <message>
@@ -3596,12 +3608,12 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
         <translation>Zurück zu den Schlüsselposen</translation>
     </message>
     <message>
-        <source>Show the key &amp;pose</source>
-        <translation>Schlüssel&amp;pose zeigen</translation>
+        <source>Sho&amp;w the key pose</source>
+        <translation>Sch&amp;lüsselpose zeigen</translation>
     </message>
     <message>
-        <source>Show the m&amp;otion</source>
-        <translation>Bewegun&amp;g zeigen</translation>
+        <source>Show the motio&amp;n</source>
+        <translation>Beweg&amp;ung zeigen</translation>
     </message>
     <message>
         <source>Clips…</source>
@@ -4582,7 +4594,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Label: %1</translation>
     </message>
     <message>
-        <source>Show &amp;palette and questions</source>
+        <source>Show pal&amp;ette and questions</source>
         <translation>&amp;Palette und Fragen zeigen</translation>
     </message>
     <message>
@@ -4590,7 +4602,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Aktionen &amp;suchen</translation>
     </message>
     <message>
-        <source>Show &amp;similar actions</source>
+        <source>Show si&amp;milar actions</source>
         <translation>Ähnl&amp;iche Aktionen zeigen</translation>
     </message>
     <message>
@@ -4606,7 +4618,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Labels &amp;zweier Personen zeigen</translation>
     </message>
     <message>
-        <source>&amp;Next action found</source>
+        <source>Ne&amp;xt action found</source>
         <translation>&amp;Nächste gefundene Aktion</translation>
     </message>
     <message>
@@ -4634,7 +4646,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Anderes für alle &amp;offenen nehmen</translation>
     </message>
     <message>
-        <source>&amp;Add what only they labelled</source>
+        <source>Add what onl&amp;y they labelled</source>
         <translation>Nur dort Gelabeltes &amp;hinzufügen</translation>
     </message>
     <message>
@@ -6648,7 +6660,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Block &amp;früher</translation>
     </message>
     <message>
-        <source>Move the block &amp;later</source>
+        <source>Move the &amp;block later</source>
         <translation>Block &amp;später</translation>
     </message>
     <message>
@@ -6716,7 +6728,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Ganz zeigen</translation>
     </message>
     <message>
-        <source>&amp;Map of poses</source>
+        <source>Map of po&amp;ses</source>
         <translation>Posen&amp;karte</translation>
     </message>
     <message>
@@ -6724,7 +6736,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Clips aus &amp;Dateien hinzufügen…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
+        <source>Add cl&amp;ips of a folder…</source>
         <translation>Clips eines &amp;Ordners hinzufügen…</translation>
     </message>
     <message>
@@ -7077,7 +7089,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Alle Geisterbilder entfernen</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
+        <source>M&amp;easure</source>
         <translation>&amp;Messen</translation>
     </message>
     <message>

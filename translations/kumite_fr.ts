@@ -187,6 +187,18 @@
         <source>at %1, fighter %2</source>
         <translation>à %1, combattant %2</translation>
     </message>
+    <message>
+        <source>A model of two fighters needs a take with two of them.</source>
+        <translation>Un modèle de deux combattants demande une prise qui en a deux.</translation>
+    </message>
+    <message>
+        <source>No action is labelled yet: label some by hand and let the machine do the rest, or import labels.</source>
+        <translation>Aucune action n’est encore étiquetée : étiquetez-en quelques-unes à la main et laissez faire le reste à la machine, ou importez des étiquettes.</translation>
+    </message>
+    <message>
+        <source>No transition has the labels of all its three actions: label more of both fighters.</source>
+        <translation>Aucune transition n’a les étiquettes de ses trois actions : étiquetez-en davantage des deux combattants.</translation>
+    </message>
 </context>
 <context>
     <name>KeysSheet</name>
@@ -1113,7 +1125,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
         <translation>Avatar : touche %1</translation>
     </message>
     <message>
-        <source>Avatar: &amp;forget what was asked for</source>
+        <source>Avatar: forget &amp;what was asked for</source>
         <translation>Avatar : &amp;oublier ce qui était demandé</translation>
     </message>
     <message>
@@ -2417,11 +2429,11 @@ Double-clic : début, place, sol, articulations</translation>
         <translation>Surprise des &amp;deux termes</translation>
     </message>
     <message>
-        <source>Surprise of the label &amp;term</source>
+        <source>S&amp;urprise of the label term</source>
         <translation>Surprise du &amp;terme d’étiquette</translation>
     </message>
     <message>
-        <source>Surprise of the geo&amp;metry term</source>
+        <source>Su&amp;rprise of the geometry term</source>
         <translation>Surprise du terme &amp;géométrique</translation>
     </message>
     <message>
@@ -2429,7 +2441,7 @@ Double-clic : début, place, sol, articulations</translation>
         <translation>Lignes par étiquette p&amp;ropre</translation>
     </message>
     <message>
-        <source>Rows by o&amp;pponent&apos;s label</source>
+        <source>Ro&amp;ws by opponent&apos;s label</source>
         <translation>Lignes par étiquette de l’ad&amp;versaire</translation>
     </message>
     <message>
@@ -3026,7 +3038,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>S&amp;wap</source>
-        <translation>&amp;Échanger</translation>
+        <translation>É&amp;changer</translation>
     </message>
     <message>
         <source>Swap fighters</source>
@@ -3384,7 +3396,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Copy the pose from an&amp;y take or clip…</source>
-        <translation>Copier la pose d’&amp;une prise ou d’un clip…</translation>
+        <translation>Cop&amp;ier la pose d’une prise ou d’un clip…</translation>
     </message>
     <message>
         <source>The handle &amp;stays where it is, or not</source>
@@ -3440,14 +3452,14 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Add clips of &amp;files…</source>
-        <translation>Ajouter des clips de &amp;fichiers…</translation>
+        <translation>A&amp;jouter des clips de fichiers…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
+        <source>Add cl&amp;ips of a folder…</source>
         <translation>Ajouter des clips d’un &amp;dossier…</translation>
     </message>
     <message>
-        <source>&amp;Replace a part of a take…</source>
+        <source>R&amp;eplace a part of a take…</source>
         <translation>&amp;Remplacer une partie d’une prise…</translation>
     </message>
     <message>
@@ -3596,11 +3608,11 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
         <translation>Retour aux clés</translation>
     </message>
     <message>
-        <source>Show the key &amp;pose</source>
+        <source>Sho&amp;w the key pose</source>
         <translation>Montrer la &amp;pose clé</translation>
     </message>
     <message>
-        <source>Show the m&amp;otion</source>
+        <source>Show the motio&amp;n</source>
         <translation>Montrer le m&amp;ouvement</translation>
     </message>
     <message>
@@ -4471,7 +4483,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>T&amp;imeline</source>
-        <translation>&amp;Ligne de temps</translation>
+        <translation>Lig&amp;ne de temps</translation>
     </message>
     <message>
         <source>&amp;Height of the centre of mass</source>
@@ -4582,7 +4594,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Étiquette : %1</translation>
     </message>
     <message>
-        <source>Show &amp;palette and questions</source>
+        <source>Show pal&amp;ette and questions</source>
         <translation>Afficher palette et ques&amp;tions</translation>
     </message>
     <message>
@@ -4590,8 +4602,8 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Trou&amp;ver des actions</translation>
     </message>
     <message>
-        <source>Show &amp;similar actions</source>
-        <translation>Afficher les actions sim&amp;ilaires</translation>
+        <source>Show si&amp;milar actions</source>
+        <translation>Affic&amp;her les actions similaires</translation>
     </message>
     <message>
         <source>Show &amp;quality</source>
@@ -4606,7 +4618,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Afficher les étiquettes de &amp;deux personnes</translation>
     </message>
     <message>
-        <source>&amp;Next action found</source>
+        <source>Ne&amp;xt action found</source>
         <translation>Action trouvée sui&amp;vante</translation>
     </message>
     <message>
@@ -4634,7 +4646,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Prendre les leurs &amp;où c’est à décider</translation>
     </message>
     <message>
-        <source>&amp;Add what only they labelled</source>
+        <source>Add what onl&amp;y they labelled</source>
         <translation>Ajouter ce qu’eu&amp;x seuls ont étiqueté</translation>
     </message>
     <message>
@@ -6648,7 +6660,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Déplacer le bloc &amp;plus tôt</translation>
     </message>
     <message>
-        <source>Move the block &amp;later</source>
+        <source>Move the &amp;block later</source>
         <translation>Déplacer le bloc pl&amp;us tard</translation>
     </message>
     <message>
@@ -6716,15 +6728,15 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>La montrer en entier</translation>
     </message>
     <message>
-        <source>&amp;Map of poses</source>
+        <source>Map of po&amp;ses</source>
         <translation>&amp;Carte des poses</translation>
     </message>
     <message>
         <source>Add &amp;clips of files…</source>
-        <translation>Ajouter des clips de &amp;fichiers…</translation>
+        <translation>A&amp;jouter des clips de fichiers…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
+        <source>Add cl&amp;ips of a folder…</source>
         <translation>Ajouter des clips d’un &amp;dossier…</translation>
     </message>
     <message>
@@ -7077,7 +7089,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Supprimer tous les fantômes</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
+        <source>M&amp;easure</source>
         <translation>Mes&amp;urer</translation>
     </message>
     <message>

@@ -187,6 +187,18 @@
         <source>at %1, fighter %2</source>
         <translation>%1、選手%2</translation>
     </message>
+    <message>
+        <source>A model of two fighters needs a take with two of them.</source>
+        <translation>二人の選手のモデルには、二人が写るテイクが必要です。</translation>
+    </message>
+    <message>
+        <source>No action is labelled yet: label some by hand and let the machine do the rest, or import labels.</source>
+        <translation>ラベルの付いた動作がまだありません。いくつかを手で付けて残りを機械に任せるか、ラベルを読み込んでください。</translation>
+    </message>
+    <message>
+        <source>No transition has the labels of all its three actions: label more of both fighters.</source>
+        <translation>三つの動作すべてにラベルがある遷移がありません。両選手の動作にもっとラベルを付けてください。</translation>
+    </message>
 </context>
 <context>
     <name>KeysSheet</name>
@@ -1113,8 +1125,8 @@ Returnで追加、Shift+Returnで選んだブロックと交換</translation>
         <translation>アバター: キー%1</translation>
     </message>
     <message>
-        <source>Avatar: &amp;forget what was asked for</source>
-        <translation>アバター: 指示を忘れる(&amp;F)</translation>
+        <source>Avatar: forget &amp;what was asked for</source>
+        <translation>アバター: 指示を忘れる(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Measure the quality</source>
@@ -2417,20 +2429,20 @@ Double-click: start, place, floor, joints</source>
         <translation>両方の項の意外度(&amp;T)</translation>
     </message>
     <message>
-        <source>Surprise of the label &amp;term</source>
-        <translation>ラベル項の意外度(&amp;T)</translation>
+        <source>S&amp;urprise of the label term</source>
+        <translation>ラベル項の意外度(&amp;D)</translation>
     </message>
     <message>
-        <source>Surprise of the geo&amp;metry term</source>
-        <translation>幾何項の意外度(&amp;M)</translation>
+        <source>Su&amp;rprise of the geometry term</source>
+        <translation>幾何項の意外度(&amp;F)</translation>
     </message>
     <message>
         <source>Rows by &amp;own label</source>
         <translation>行を自分のラベルで(&amp;O)</translation>
     </message>
     <message>
-        <source>Rows by o&amp;pponent&apos;s label</source>
-        <translation>行を相手のラベルで(&amp;P)</translation>
+        <source>Ro&amp;ws by opponent&apos;s label</source>
+        <translation>行を相手のラベルで(&amp;H)</translation>
     </message>
     <message>
         <source>Rows by &amp;both labels</source>
@@ -2454,7 +2466,7 @@ Double-click: start, place, floor, joints</source>
     </message>
     <message>
         <source>&amp;Smaller cells</source>
-        <translation>セルを小さく(&amp;S)</translation>
+        <translation>セルを小さく(&amp;I)</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>
@@ -3443,12 +3455,12 @@ Undone. Click to redo up to here.</source>
         <translation>ファイルのクリップを追加(&amp;F)…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
-        <translation>フォルダーのクリップを追加(&amp;O)…</translation>
+        <source>Add cl&amp;ips of a folder…</source>
+        <translation>フォルダーのクリップを追加(&amp;H)…</translation>
     </message>
     <message>
-        <source>&amp;Replace a part of a take…</source>
-        <translation>テイクの一部を置き換え(&amp;R)…</translation>
+        <source>R&amp;eplace a part of a take…</source>
+        <translation>テイクの一部を置き換え(&amp;B)…</translation>
     </message>
     <message>
         <source>&amp;Keep as a take…</source>
@@ -3596,12 +3608,12 @@ Undone. Click to redo up to here.</source>
         <translation>キーポーズに戻る</translation>
     </message>
     <message>
-        <source>Show the key &amp;pose</source>
-        <translation>キーポーズを表示(&amp;P)</translation>
+        <source>Sho&amp;w the key pose</source>
+        <translation>キーポーズを表示(&amp;E)</translation>
     </message>
     <message>
-        <source>Show the m&amp;otion</source>
-        <translation>動きを表示(&amp;O)</translation>
+        <source>Show the motio&amp;n</source>
+        <translation>動きを表示(&amp;L)</translation>
     </message>
     <message>
         <source>Clips…</source>
@@ -4581,16 +4593,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>ラベル: %1</translation>
     </message>
     <message>
-        <source>Show &amp;palette and questions</source>
-        <translation>パレットと質問を表示(&amp;P)</translation>
+        <source>Show pal&amp;ette and questions</source>
+        <translation>パレットと質問を表示(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Find actions</source>
         <translation>動作を検索(&amp;F)</translation>
     </message>
     <message>
-        <source>Show &amp;similar actions</source>
-        <translation>似た動作を表示(&amp;S)</translation>
+        <source>Show si&amp;milar actions</source>
+        <translation>似た動作を表示(&amp;J)</translation>
     </message>
     <message>
         <source>Show &amp;quality</source>
@@ -4598,19 +4610,19 @@ Right click: paint with it over actions of the timeline</source>
     </message>
     <message>
         <source>Show &amp;rules</source>
-        <translation>ルールを表示(&amp;R)</translation>
+        <translation>ルールを表示(&amp;M)</translation>
     </message>
     <message>
         <source>Show &amp;two people&apos;s labels</source>
-        <translation>二人のラベルを表示(&amp;T)</translation>
+        <translation>二人のラベルを表示(&amp;X)</translation>
     </message>
     <message>
-        <source>&amp;Next action found</source>
-        <translation>次の検索結果(&amp;N)</translation>
+        <source>Ne&amp;xt action found</source>
+        <translation>次の検索結果(&amp;Y)</translation>
     </message>
     <message>
         <source>Pre&amp;vious action found</source>
-        <translation>前の検索結果(&amp;V)</translation>
+        <translation>前の検索結果(&amp;Z)</translation>
     </message>
     <message>
         <source>Choose &amp;all that were found</source>
@@ -4633,7 +4645,7 @@ Right click: paint with it over actions of the timeline</source>
         <translation>未決定のすべてに他者を採用(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Add what only they labelled</source>
+        <source>Add what onl&amp;y they labelled</source>
         <translation>他者だけが付けたものを追加(&amp;A)</translation>
     </message>
     <message>
@@ -6644,8 +6656,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>ブロックを前へ移動(&amp;E)</translation>
     </message>
     <message>
-        <source>Move the block &amp;later</source>
-        <translation>ブロックを後へ移動(&amp;L)</translation>
+        <source>Move the &amp;block later</source>
+        <translation>ブロックを後へ移動(&amp;B)</translation>
     </message>
     <message>
         <source>Once &amp;more</source>
@@ -6712,16 +6724,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>全体を表示</translation>
     </message>
     <message>
-        <source>&amp;Map of poses</source>
-        <translation>ポーズの地図(&amp;M)</translation>
+        <source>Map of po&amp;ses</source>
+        <translation>ポーズの地図(&amp;G)</translation>
     </message>
     <message>
         <source>Add &amp;clips of files…</source>
         <translation>ファイルのクリップを追加(&amp;C)…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
-        <translation>フォルダーのクリップを追加(&amp;O)…</translation>
+        <source>Add cl&amp;ips of a folder…</source>
+        <translation>フォルダーのクリップを追加(&amp;H)…</translation>
     </message>
     <message>
         <source>Keep as a &amp;take…</source>
@@ -7073,8 +7085,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>ゴーストをすべて削除</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
-        <translation>計測(&amp;M)</translation>
+        <source>M&amp;easure</source>
+        <translation>計測(&amp;A)</translation>
     </message>
     <message>
         <source>Measure: next joint</source>

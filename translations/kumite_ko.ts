@@ -187,6 +187,18 @@
         <source>at %1, fighter %2</source>
         <translation>%1, 선수 %2</translation>
     </message>
+    <message>
+        <source>A model of two fighters needs a take with two of them.</source>
+        <translation>두 선수의 모델에는 두 명이 있는 테이크가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>No action is labelled yet: label some by hand and let the machine do the rest, or import labels.</source>
+        <translation>레이블이 붙은 동작이 아직 없습니다. 몇 개를 수동으로 붙이고 나머지는 학습기에 맡기거나 레이블을 가져오세요.</translation>
+    </message>
+    <message>
+        <source>No transition has the labels of all its three actions: label more of both fighters.</source>
+        <translation>세 동작 모두에 레이블이 있는 전이가 없습니다. 두 선수에게 더 붙이세요.</translation>
+    </message>
 </context>
 <context>
     <name>KeysSheet</name>
@@ -1113,8 +1125,8 @@ Return으로 추가, Shift+Return으로 선택한 블록과 교체</translation>
         <translation>아바타: 키 %1</translation>
     </message>
     <message>
-        <source>Avatar: &amp;forget what was asked for</source>
-        <translation>아바타: 요청 잊기(&amp;F)</translation>
+        <source>Avatar: forget &amp;what was asked for</source>
+        <translation>아바타: 요청 잊기(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Measure the quality</source>
@@ -2417,20 +2429,20 @@ Double-click: start, place, floor, joints</source>
         <translation>두 항의 의외도(&amp;T)</translation>
     </message>
     <message>
-        <source>Surprise of the label &amp;term</source>
-        <translation>레이블 항의 의외도(&amp;T)</translation>
+        <source>S&amp;urprise of the label term</source>
+        <translation>레이블 항의 의외도(&amp;D)</translation>
     </message>
     <message>
-        <source>Surprise of the geo&amp;metry term</source>
-        <translation>기하 항의 의외도(&amp;M)</translation>
+        <source>Su&amp;rprise of the geometry term</source>
+        <translation>기하 항의 의외도(&amp;F)</translation>
     </message>
     <message>
         <source>Rows by &amp;own label</source>
         <translation>자기 레이블별 행(&amp;O)</translation>
     </message>
     <message>
-        <source>Rows by o&amp;pponent&apos;s label</source>
-        <translation>상대 레이블별 행(&amp;P)</translation>
+        <source>Ro&amp;ws by opponent&apos;s label</source>
+        <translation>상대 레이블별 행(&amp;H)</translation>
     </message>
     <message>
         <source>Rows by &amp;both labels</source>
@@ -2454,7 +2466,7 @@ Double-click: start, place, floor, joints</source>
     </message>
     <message>
         <source>&amp;Smaller cells</source>
-        <translation>셀 작게(&amp;S)</translation>
+        <translation>셀 작게(&amp;I)</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>
@@ -3443,12 +3455,12 @@ Undone. Click to redo up to here.</source>
         <translation>파일의 클립 추가(&amp;F)…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
-        <translation>폴더의 클립 추가(&amp;O)…</translation>
+        <source>Add cl&amp;ips of a folder…</source>
+        <translation>폴더의 클립 추가(&amp;H)…</translation>
     </message>
     <message>
-        <source>&amp;Replace a part of a take…</source>
-        <translation>테이크의 일부 교체(&amp;R)…</translation>
+        <source>R&amp;eplace a part of a take…</source>
+        <translation>테이크의 일부 교체(&amp;B)…</translation>
     </message>
     <message>
         <source>&amp;Keep as a take…</source>
@@ -3596,12 +3608,12 @@ Undone. Click to redo up to here.</source>
         <translation>키로 돌아가기</translation>
     </message>
     <message>
-        <source>Show the key &amp;pose</source>
-        <translation>키 포즈 표시(&amp;P)</translation>
+        <source>Sho&amp;w the key pose</source>
+        <translation>키 포즈 표시(&amp;E)</translation>
     </message>
     <message>
-        <source>Show the m&amp;otion</source>
-        <translation>움직임 표시(&amp;O)</translation>
+        <source>Show the motio&amp;n</source>
+        <translation>움직임 표시(&amp;L)</translation>
     </message>
     <message>
         <source>Clips…</source>
@@ -4581,16 +4593,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>레이블: %1</translation>
     </message>
     <message>
-        <source>Show &amp;palette and questions</source>
-        <translation>팔레트와 질문 보기(&amp;P)</translation>
+        <source>Show pal&amp;ette and questions</source>
+        <translation>팔레트와 질문 보기(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Find actions</source>
         <translation>동작 찾기(&amp;F)</translation>
     </message>
     <message>
-        <source>Show &amp;similar actions</source>
-        <translation>비슷한 동작 보기(&amp;S)</translation>
+        <source>Show si&amp;milar actions</source>
+        <translation>비슷한 동작 보기(&amp;J)</translation>
     </message>
     <message>
         <source>Show &amp;quality</source>
@@ -4598,19 +4610,19 @@ Right click: paint with it over actions of the timeline</source>
     </message>
     <message>
         <source>Show &amp;rules</source>
-        <translation>규칙 보기(&amp;R)</translation>
+        <translation>규칙 보기(&amp;M)</translation>
     </message>
     <message>
         <source>Show &amp;two people&apos;s labels</source>
-        <translation>두 사람의 레이블 보기(&amp;T)</translation>
+        <translation>두 사람의 레이블 보기(&amp;X)</translation>
     </message>
     <message>
-        <source>&amp;Next action found</source>
-        <translation>찾은 다음 동작(&amp;N)</translation>
+        <source>Ne&amp;xt action found</source>
+        <translation>찾은 다음 동작(&amp;Y)</translation>
     </message>
     <message>
         <source>Pre&amp;vious action found</source>
-        <translation>찾은 이전 동작(&amp;V)</translation>
+        <translation>찾은 이전 동작(&amp;Z)</translation>
     </message>
     <message>
         <source>Choose &amp;all that were found</source>
@@ -4633,7 +4645,7 @@ Right click: paint with it over actions of the timeline</source>
         <translation>미정인 것 모두 다른 쪽 값 쓰기(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Add what only they labelled</source>
+        <source>Add what onl&amp;y they labelled</source>
         <translation>다른 쪽에만 있는 레이블 추가(&amp;A)</translation>
     </message>
     <message>
@@ -6644,8 +6656,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>블록을 앞당기기(&amp;E)</translation>
     </message>
     <message>
-        <source>Move the block &amp;later</source>
-        <translation>블록을 늦추기(&amp;L)</translation>
+        <source>Move the &amp;block later</source>
+        <translation>블록을 늦추기(&amp;B)</translation>
     </message>
     <message>
         <source>Once &amp;more</source>
@@ -6712,16 +6724,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>전체 보기</translation>
     </message>
     <message>
-        <source>&amp;Map of poses</source>
-        <translation>포즈 지도(&amp;M)</translation>
+        <source>Map of po&amp;ses</source>
+        <translation>포즈 지도(&amp;G)</translation>
     </message>
     <message>
         <source>Add &amp;clips of files…</source>
         <translation>파일의 클립 추가(&amp;C)…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
-        <translation>폴더의 클립 추가(&amp;O)…</translation>
+        <source>Add cl&amp;ips of a folder…</source>
+        <translation>폴더의 클립 추가(&amp;H)…</translation>
     </message>
     <message>
         <source>Keep as a &amp;take…</source>
@@ -7073,8 +7085,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>모든 잔상 제거</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
-        <translation>측정(&amp;M)</translation>
+        <source>M&amp;easure</source>
+        <translation>측정(&amp;A)</translation>
     </message>
     <message>
         <source>Measure: next joint</source>

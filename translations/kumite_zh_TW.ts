@@ -187,6 +187,18 @@
         <source>at %1, fighter %2</source>
         <translation>於 %1，選手 %2</translation>
     </message>
+    <message>
+        <source>A model of two fighters needs a take with two of them.</source>
+        <translation>兩位選手的模型需要有兩位選手的鏡次。</translation>
+    </message>
+    <message>
+        <source>No action is labelled yet: label some by hand and let the machine do the rest, or import labels.</source>
+        <translation>尚無動作有標籤：請手動標記一些，其餘交給機器，或匯入標籤。</translation>
+    </message>
+    <message>
+        <source>No transition has the labels of all its three actions: label more of both fighters.</source>
+        <translation>沒有任何轉換具備三個動作的標籤：請為兩位選手標記更多。</translation>
+    </message>
 </context>
 <context>
     <name>KeysSheet</name>
@@ -1113,8 +1125,8 @@ Return 加入，Shift+Return 取代所選區塊</translation>
         <translation>化身：按鍵 %1</translation>
     </message>
     <message>
-        <source>Avatar: &amp;forget what was asked for</source>
-        <translation>化身：取消要求(&amp;F)</translation>
+        <source>Avatar: forget &amp;what was asked for</source>
+        <translation>化身：取消要求(&amp;B)</translation>
     </message>
     <message>
         <source>&amp;Measure the quality</source>
@@ -2417,20 +2429,20 @@ Double-click: start, place, floor, joints</source>
         <translation>兩項的意外度(&amp;T)</translation>
     </message>
     <message>
-        <source>Surprise of the label &amp;term</source>
-        <translation>標籤項的意外度(&amp;T)</translation>
+        <source>S&amp;urprise of the label term</source>
+        <translation>標籤項的意外度(&amp;D)</translation>
     </message>
     <message>
-        <source>Surprise of the geo&amp;metry term</source>
-        <translation>幾何項的意外度(&amp;M)</translation>
+        <source>Su&amp;rprise of the geometry term</source>
+        <translation>幾何項的意外度(&amp;F)</translation>
     </message>
     <message>
         <source>Rows by &amp;own label</source>
         <translation>列依自己的標籤(&amp;O)</translation>
     </message>
     <message>
-        <source>Rows by o&amp;pponent&apos;s label</source>
-        <translation>列依對手的標籤(&amp;P)</translation>
+        <source>Ro&amp;ws by opponent&apos;s label</source>
+        <translation>列依對手的標籤(&amp;H)</translation>
     </message>
     <message>
         <source>Rows by &amp;both labels</source>
@@ -2454,7 +2466,7 @@ Double-click: start, place, floor, joints</source>
     </message>
     <message>
         <source>&amp;Smaller cells</source>
-        <translation>縮小格子(&amp;S)</translation>
+        <translation>縮小格子(&amp;I)</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>
@@ -3443,12 +3455,12 @@ Undone. Click to redo up to here.</source>
         <translation>加入檔案的片段(&amp;F)…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
-        <translation>加入資料夾的片段(&amp;O)…</translation>
+        <source>Add cl&amp;ips of a folder…</source>
+        <translation>加入資料夾的片段(&amp;H)…</translation>
     </message>
     <message>
-        <source>&amp;Replace a part of a take…</source>
-        <translation>取代鏡次的一部分(&amp;R)…</translation>
+        <source>R&amp;eplace a part of a take…</source>
+        <translation>取代鏡次的一部分(&amp;B)…</translation>
     </message>
     <message>
         <source>&amp;Keep as a take…</source>
@@ -3596,12 +3608,12 @@ Undone. Click to redo up to here.</source>
         <translation>回到關鍵姿勢</translation>
     </message>
     <message>
-        <source>Show the key &amp;pose</source>
-        <translation>顯示關鍵姿勢(&amp;P)</translation>
+        <source>Sho&amp;w the key pose</source>
+        <translation>顯示關鍵姿勢(&amp;E)</translation>
     </message>
     <message>
-        <source>Show the m&amp;otion</source>
-        <translation>顯示動態(&amp;O)</translation>
+        <source>Show the motio&amp;n</source>
+        <translation>顯示動態(&amp;L)</translation>
     </message>
     <message>
         <source>Clips…</source>
@@ -4581,16 +4593,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>標籤：%1</translation>
     </message>
     <message>
-        <source>Show &amp;palette and questions</source>
-        <translation>顯示面板與問題(&amp;P)</translation>
+        <source>Show pal&amp;ette and questions</source>
+        <translation>顯示面板與問題(&amp;E)</translation>
     </message>
     <message>
         <source>&amp;Find actions</source>
         <translation>尋找動作(&amp;F)</translation>
     </message>
     <message>
-        <source>Show &amp;similar actions</source>
-        <translation>顯示相似動作(&amp;S)</translation>
+        <source>Show si&amp;milar actions</source>
+        <translation>顯示相似動作(&amp;J)</translation>
     </message>
     <message>
         <source>Show &amp;quality</source>
@@ -4598,19 +4610,19 @@ Right click: paint with it over actions of the timeline</source>
     </message>
     <message>
         <source>Show &amp;rules</source>
-        <translation>顯示規則(&amp;R)</translation>
+        <translation>顯示規則(&amp;M)</translation>
     </message>
     <message>
         <source>Show &amp;two people&apos;s labels</source>
-        <translation>顯示兩人的標籤(&amp;T)</translation>
+        <translation>顯示兩人的標籤(&amp;X)</translation>
     </message>
     <message>
-        <source>&amp;Next action found</source>
-        <translation>下一個找到的動作(&amp;N)</translation>
+        <source>Ne&amp;xt action found</source>
+        <translation>下一個找到的動作(&amp;Y)</translation>
     </message>
     <message>
         <source>Pre&amp;vious action found</source>
-        <translation>上一個找到的動作(&amp;V)</translation>
+        <translation>上一個找到的動作(&amp;Z)</translation>
     </message>
     <message>
         <source>Choose &amp;all that were found</source>
@@ -4633,7 +4645,7 @@ Right click: paint with it over actions of the timeline</source>
         <translation>所有未定的採用對方(&amp;O)</translation>
     </message>
     <message>
-        <source>&amp;Add what only they labelled</source>
+        <source>Add what onl&amp;y they labelled</source>
         <translation>加入僅對方標記的(&amp;A)</translation>
     </message>
     <message>
@@ -6644,8 +6656,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>區塊前移(&amp;E)</translation>
     </message>
     <message>
-        <source>Move the block &amp;later</source>
-        <translation>區塊後移(&amp;L)</translation>
+        <source>Move the &amp;block later</source>
+        <translation>區塊後移(&amp;B)</translation>
     </message>
     <message>
         <source>Once &amp;more</source>
@@ -6712,16 +6724,16 @@ Right click: paint with it over actions of the timeline</source>
         <translation>顯示全部內容</translation>
     </message>
     <message>
-        <source>&amp;Map of poses</source>
-        <translation>姿勢地圖(&amp;M)</translation>
+        <source>Map of po&amp;ses</source>
+        <translation>姿勢地圖(&amp;G)</translation>
     </message>
     <message>
         <source>Add &amp;clips of files…</source>
         <translation>加入檔案的片段(&amp;C)…</translation>
     </message>
     <message>
-        <source>Add clips of a f&amp;older…</source>
-        <translation>加入資料夾的片段(&amp;O)…</translation>
+        <source>Add cl&amp;ips of a folder…</source>
+        <translation>加入資料夾的片段(&amp;H)…</translation>
     </message>
     <message>
         <source>Keep as a &amp;take…</source>
@@ -7073,8 +7085,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>移除所有殘影</translation>
     </message>
     <message>
-        <source>&amp;Measure</source>
-        <translation>測量(&amp;M)</translation>
+        <source>M&amp;easure</source>
+        <translation>測量(&amp;A)</translation>
     </message>
     <message>
         <source>Measure: next joint</source>

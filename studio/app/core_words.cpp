@@ -61,6 +61,13 @@ constexpr const char* kTexts[] = {
     QT_TRANSLATE_NOOP("Core", "Accept 1 label"),
     QT_TRANSLATE_NOOP("Core", "Accept %1 labels"),
     QT_TRANSLATE_NOOP("Core", "at %1, fighter %2"),
+    QT_TRANSLATE_NOOP("Core", "A model of two fighters needs a take with two of them."),
+    QT_TRANSLATE_NOOP("Core",
+                      "No action is labelled yet: label some by hand and let the machine do the "
+                      "rest, or import labels."),
+    QT_TRANSLATE_NOOP(
+        "Core",
+        "No transition has the labels of all its three actions: label more of both fighters."),
 };
 
 constexpr const char* kNames[] = {
@@ -158,6 +165,13 @@ QString labelWords(const QString& text) {
     return parts.isEmpty() ? text : parts.join(QStringLiteral(", "));
 }
 
+/// Whether what is put in is a text of the core's, too, and no name that a user gave.
+bool holdsTexts(const char* source) {
+    const QString text = QString::fromUtf8(source);
+    return text.startsWith(QLatin1String("Label ")) ||
+           text.contains(QLatin1String("boundary %1")) || text.contains(QLatin1String("ote %1"));
+}
+
 QString translated(const QString& text) {
     for (const Pattern& pattern : patterns()) {
         const QRegularExpressionMatch match = pattern.expression.match(text);
@@ -165,8 +179,9 @@ QString translated(const QString& text) {
         QString words = QCoreApplication::translate("Core", pattern.source);
         // From the last, so that what is put in is not taken for a place.
         for (qsizetype i = pattern.places.size(); i > 0; --i) {
+            const QString part = match.captured(static_cast<int>(i));
             words.replace(QStringLiteral("%%1").arg(pattern.places[i - 1]),
-                          translated(match.captured(static_cast<int>(i))));
+                          holdsTexts(pattern.source) ? translated(part) : part);
         }
         return words;
     }

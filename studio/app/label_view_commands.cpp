@@ -35,13 +35,13 @@ void MainWindow::addLabelViewCommands(LabelViews& views) {
         add(
             id, text, {key}, [&views, which] { views.setPage(which); }, newGroup);
     };
-    page("label.page.label", tr("Show &palette and questions"), QKeySequence("F4"),
+    page("label.page.label", tr("Show pal&ette and questions"), QKeySequence("F4"),
          LabelViews::LabelPage, true);
     add("label.find", tr("&Find actions"), {QKeySequence::Find}, [&views] {
         views.setPage(LabelViews::FindPage);
         views.find().focusField();
     });
-    page("label.page.similar", tr("Show &similar actions"), QKeySequence("F6"),
+    page("label.page.similar", tr("Show si&milar actions"), QKeySequence("F6"),
          LabelViews::SimilarPage);
     page("label.page.quality", tr("Show &quality"), QKeySequence("F7"), LabelViews::QualityPage);
     page("label.page.rules", tr("Show &rules"), QKeySequence("F8"), LabelViews::RulesPage);
@@ -49,7 +49,7 @@ void MainWindow::addLabelViewCommands(LabelViews& views) {
          LabelViews::ComparePage);
     const auto finding = [&views] { return views.find().list().model().rowCount() > 0; };
     add(
-        "label.find.next", tr("&Next action found"), {QKeySequence("F3")},
+        "label.find.next", tr("Ne&xt action found"), {QKeySequence("F3")},
         [&views] { views.find().list().step(1); }, true, finding);
     add(
         "label.find.previous", tr("Pre&vious action found"), {QKeySequence("Shift+F3")},
@@ -77,7 +77,7 @@ void MainWindow::addLabelViewCommands(LabelViews& views) {
         "label.compare.all", tr("Take theirs for all that are &open"), {},
         [&views] { views.comparison().takeAllTheirs(); }, false, comparing);
     add(
-        "label.compare.add", tr("&Add what only they labelled"), {},
+        "label.compare.add", tr("Add what onl&y they labelled"), {},
         [&views] { views.comparison().addOnlyTheirs(); }, false,
         [&views] {
             const auto& agreement = views.comparison().agreement();

@@ -145,7 +145,7 @@ void addStageCommands(CommandTable& commands, StageView& stage, const Session& s
 
     commands.add({"view.measure",
                   group,
-                  StageCommands::tr("&Measure"),
+                  StageCommands::tr("M&easure"),
                   {QKeySequence("M")},
                   [view] { view->setMeasuring(!view->isMeasuring()); },
                   recorded,

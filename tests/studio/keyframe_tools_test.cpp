@@ -139,7 +139,7 @@ TEST_F(KeyframeTest, AStrikeFollowsADraggedTarget) {
     window_->workspaces().show("bout");
     settle();
     for (auto* button : window_->findChildren<QPushButton*>()) {
-        if (button->text() == "Take over labels…" && button->isVisible())
+        if (button->text() == "Take over labels" && button->isVisible())
             QTest::mouseClick(button, Qt::LeftButton);
     }
     settle();

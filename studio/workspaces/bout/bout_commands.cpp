@@ -281,7 +281,7 @@ void addBoutCommands(CommandTable& commands, BoutSession& bout, StageView& stage
     }
     commands.add({"bout.release",
                   menu,
-                  BoutCommands::tr("Avatar: &forget what was asked for"),
+                  BoutCommands::tr("Avatar: forget &what was asked for"),
                   {QKeySequence("0")},
                   [session] {
                       session->release();

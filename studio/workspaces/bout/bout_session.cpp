@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "core/project/kept_bout.h"
+#include "studio/app/core_words.h"
 #include "studio/workspaces/graph/graph_session.h"
 
 namespace kumite::studio {
@@ -26,7 +27,7 @@ BoutSource prepared(const Project& project, const Analysis& analysis, BoutSettin
     if (const auto why = whyNoModel(project, source.interaction)) {
         // The window offers its own steps.
         static const QRegularExpression commands(QStringLiteral(" \\(kumite [^)]*\\)"));
-        source.whyNothing = QString::fromStdString(*why).remove(commands);
+        source.whyNothing = coreWords(QString::fromStdString(*why).remove(commands).toStdString());
         return source;
     }
     const Interaction* from = &source.interaction;

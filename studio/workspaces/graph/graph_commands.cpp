@@ -101,9 +101,9 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
     };
     surprise("graph.surpriseBoth", GraphCommands::tr("Surprise of bo&th terms"),
              SurpriseKind::Both);
-    surprise("graph.surpriseLabel", GraphCommands::tr("Surprise of the label &term"),
+    surprise("graph.surpriseLabel", GraphCommands::tr("S&urprise of the label term"),
              SurpriseKind::Label);
-    surprise("graph.surpriseGeometry", GraphCommands::tr("Surprise of the geo&metry term"),
+    surprise("graph.surpriseGeometry", GraphCommands::tr("Su&rprise of the geometry term"),
              SurpriseKind::Geometry);
     const auto rows = [&](const char* id, const QString& title, const char* key, TableRows kind,
                           const QString& where) {
@@ -118,7 +118,7 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
                       any});
     };
     rows("graph.rowsOwn", GraphCommands::tr("Rows by &own label"), "1", TableRows::Own, group);
-    rows("graph.rowsOpponent", GraphCommands::tr("Rows by o&pponent's label"), "2",
+    rows("graph.rowsOpponent", GraphCommands::tr("Ro&ws by opponent's label"), "2",
          TableRows::Opponent, menu);
     rows("graph.rowsBoth", GraphCommands::tr("Rows by &both labels"), "3", TableRows::Pairs, menu);
     const auto sort = [&](const char* id, const QString& title, MatrixSort how,

@@ -24,7 +24,7 @@ GraphValues learnt(const Project& project, const Analysis& analysis, const Graph
     if (const auto why = whyNoModel(project, values.interaction)) {
         // The window offers its own steps.
         static const QRegularExpression commands(QStringLiteral(" \\(kumite [^)]*\\)"));
-        values.whyNothing = QString::fromStdString(*why).remove(commands);
+        values.whyNothing = coreWords(QString::fromStdString(*why).remove(commands).toStdString());
     }
     const bool same = last && last->interaction.graph == values.interaction.graph;
     for (const std::size_t mover : {0U, 1U}) {

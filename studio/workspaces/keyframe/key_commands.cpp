@@ -192,10 +192,10 @@ void addKeyCommands(CommandTable& commands, KeySession& keys, HitSession& hit, S
         {QKeySequence("Ctrl+Shift+I")},
         [session, view] { askForClips(session->session(), view->window()); }, open);
     add(
-        "keys.folder", menu, KeyCommands::tr("Add clips of a f&older…"), {},
+        "keys.folder", menu, KeyCommands::tr("Add cl&ips of a folder…"), {},
         [session, view] { askForClipFolder(session->session(), view->window()); }, open);
     add(
-        "keys.part", menu, KeyCommands::tr("&Replace a part of a take…"), {QKeySequence("R")},
+        "keys.part", menu, KeyCommands::tr("R&eplace a part of a take…"), {QKeySequence("R")},
         [session, view] { (new PartDialog(*session, view->window()))->open(); }, ready);
     const auto writable = [session, tool] {
         return (tool->isOn() ? tool->motion().has_value() : session->isCurrent()) &&

@@ -77,8 +77,8 @@ void KeyPanel::addCommands(CommandTable& commands) {
     });
     static_cast<QVBoxLayout*>(full_->layout())->insertWidget(0, tool);
     const QString menu = commands.find(QStringLiteral("keys.hit"))->menu;
-    const std::pair<const char*, QString> pages[] = {{"keys.page.pose", tr("Show the key &pose")},
-                                                     {"keys.page.motion", tr("Show the m&otion")}};
+    const std::pair<const char*, QString> pages[] = {{"keys.page.pose", tr("Sho&w the key pose")},
+                                                     {"keys.page.motion", tr("Show the motio&n")}};
     for (int page = 0; page < 2; ++page) {
         const auto& [id, text] = pages[page];
         commands.add({QLatin1String(id),

@@ -7,6 +7,7 @@
 #include "core/motion/blend.h"
 #include "core/project/library.h"
 #include "core/project/placed_clip.h"
+#include "studio/app/core_words.h"
 #include "studio/app/words.h"
 
 namespace kumite::studio {
@@ -34,7 +35,7 @@ KeySource prepared(const Project& project, const Analysis& analysis, const Progr
     } catch (const Cancelled&) {
         throw;
     } catch (const std::exception& error) {
-        source.whyNothing = QString::fromUtf8(error.what());
+        source.whyNothing = coreWords(error.what());
     }
     return source;
 }

@@ -181,7 +181,7 @@ void addBlocks(CommandTable& commands, SequenceSession* sequence, SequencePanel*
                   any});
     add("sequence.earlier", menu, SequenceCommands::tr("Move the block &earlier"),
         {QKeySequence("Alt+Left")}, [sequence](int index) { sequence->move(index, index - 1); });
-    add("sequence.later", menu, SequenceCommands::tr("Move the block &later"),
+    add("sequence.later", menu, SequenceCommands::tr("Move the &block later"),
         {QKeySequence("Alt+Right")}, [sequence](int index) { sequence->move(index, index + 1); });
     add("sequence.more", menu, SequenceCommands::tr("Once &more"),
         {QKeySequence("+"), QKeySequence("=")}, [sequence](int index) {
@@ -255,7 +255,7 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
                   [session] { return session->motion() != nullptr; }});
     commands.add({"sequence.map",
                   menu,
-                  SequenceCommands::tr("&Map of poses"),
+                  SequenceCommands::tr("Map of po&ses"),
                   {QKeySequence("V")},
                   [session] { session->setMap(!session->showsMap()); },
                   [session] { return session->library() != nullptr; },
@@ -268,7 +268,7 @@ void addSequenceCommands(CommandTable& commands, SequenceSession& sequence, Sequ
                   [session] { return session->session().document().isOpen(); }});
     commands.add({"sequence.folder",
                   menu,
-                  SequenceCommands::tr("Add clips of a f&older…"),
+                  SequenceCommands::tr("Add cl&ips of a folder…"),
                   {},
                   [session, view] { askForClipFolder(session->session(), view->window()); },
                   [session] { return session->session().document().isOpen(); }});

@@ -6,6 +6,7 @@
 
 #include "core/motion/blend.h"
 #include "core/transition/cluster_places.h"
+#include "studio/app/core_words.h"
 #include "studio/workspaces/graph/graph_session.h"
 
 namespace kumite::studio {
@@ -35,7 +36,7 @@ SequenceSource prepared(const Project& project, const Analysis& analysis,
     } catch (const std::exception& error) {
         source.library = nullptr;
         source.graph = nullptr;
-        source.whyNothing = QString::fromUtf8(error.what());
+        source.whyNothing = coreWords(error.what());
     }
     return source;
 }
