@@ -2465,8 +2465,8 @@ Doppelklick: Start, Ort, Boden, Gelenke</translation>
         <translation>G&amp;rößere Zellen</translation>
     </message>
     <message>
-        <source>&amp;Smaller cells</source>
-        <translation>&amp;Kleinere Zellen</translation>
+        <source>Smaller cells</source>
+        <translation>Kleinere Zellen</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>

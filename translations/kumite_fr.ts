@@ -2465,8 +2465,8 @@ Double-clic : début, place, sol, articulations</translation>
         <translation>&amp;Agrandir les cellules</translation>
     </message>
     <message>
-        <source>&amp;Smaller cells</source>
-        <translation>Réd&amp;uire les cellules</translation>
+        <source>Smaller cells</source>
+        <translation>Réduire les cellules</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>

@@ -2465,8 +2465,8 @@ Double-click: start, place, floor, joints</source>
         <translation>セルを大きく(&amp;G)</translation>
     </message>
     <message>
-        <source>&amp;Smaller cells</source>
-        <translation>セルを小さく(&amp;I)</translation>
+        <source>Smaller cells</source>
+        <translation>セルを小さく</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>

@@ -2465,8 +2465,8 @@ Double-click: start, place, floor, joints</source>
         <translation>셀 크게(&amp;G)</translation>
     </message>
     <message>
-        <source>&amp;Smaller cells</source>
-        <translation>셀 작게(&amp;I)</translation>
+        <source>Smaller cells</source>
+        <translation>셀 작게</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>

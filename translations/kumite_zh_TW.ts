@@ -2465,8 +2465,8 @@ Double-click: start, place, floor, joints</source>
         <translation>放大格子(&amp;G)</translation>
     </message>
     <message>
-        <source>&amp;Smaller cells</source>
-        <translation>縮小格子(&amp;I)</translation>
+        <source>Smaller cells</source>
+        <translation>縮小格子</translation>
     </message>
     <message>
         <source>Show &amp;everything</source>

@@ -151,7 +151,7 @@ void addGraphCommands(CommandTable& commands, GraphSession& graph, GraphCentre& 
     };
     zoom("graph.larger", GraphCommands::tr("Lar&ger cells"),
          {QKeySequence("Ctrl++"), QKeySequence("Ctrl+=")}, 1.25, group);
-    zoom("graph.smaller", GraphCommands::tr("&Smaller cells"), {QKeySequence("Ctrl+-")}, 0.8, menu);
+    zoom("graph.smaller", GraphCommands::tr("Smaller cells"), {QKeySequence("Ctrl+-")}, 0.8, menu);
     zoom("graph.fit", GraphCommands::tr("Show &everything"), {QKeySequence("Ctrl+0")}, 0, menu);
     commands.add({"graph.export",
                   group,
