@@ -92,18 +92,35 @@ Label readTrueLabel(const JsonReader& json, const Vocabulary& vocabulary) {
     return label;
 }
 
+/// One entry per fighter, of which there are two at most.
+JsonReader playersOf(const JsonReader& json) {
+    const JsonReader players = json["players"];
+    if (players.size() > 2) throw players.error("expected 1 or 2 fighters");
+    return players;
+}
+
+void checkSpan(const TimedLabel& label, const JsonReader& entry, const std::string& begin,
+               const std::string& end) {
+    if (!std::isfinite(label.begin) || !std::isfinite(label.end)) {
+        throw entry.error(fmt::format("{} and {} are too large for this rate", begin, end));
+    }
+    if (label.end < label.begin) throw entry.error(fmt::format("{} lies before {}", end, begin));
+}
+
 /// The truth of a made bout: frames at `rate`.
 std::vector<TimedLabel> readTruth(const JsonReader& json, const Vocabulary& vocabulary) {
     const double rate = json["rate"].positive();
     std::vector<TimedLabel> labels;
-    for (std::size_t p = 0; p < json["players"].size(); ++p) {
-        const JsonReader actions = json["players"].at(p)["actions"];
+    const JsonReader players = playersOf(json);
+    for (std::size_t p = 0; p < players.size(); ++p) {
+        const JsonReader actions = players.at(p)["actions"];
         for (std::size_t i = 0; i < actions.size(); ++i) {
             const JsonReader entry = actions.at(i);
             TimedLabel label;
             label.player = static_cast<int>(p) + 1;
             label.begin = entry["begin"].integer() / rate;
             label.end = entry["end"].integer() / rate;
+            checkSpan(label, entry, "begin", "end");
             label.aspects =
                 *valuesOf(vocabulary, readTrueLabel(entry["label"], vocabulary), "hand", 1.0f);
             label.place = fmt::format("player {}, action {}", p + 1, i);
@@ -151,8 +168,9 @@ std::vector<TimedLabel> parseLabelsJson(std::string_view text, const std::string
     std::vector<TimedLabel> labels;
     for (std::size_t t = 0; t < json["takes"].size(); ++t) {
         const JsonReader take = json["takes"].at(t);
-        for (std::size_t p = 0; p < take["players"].size(); ++p) {
-            const JsonReader entries = take["players"].at(p)["labels"];
+        const JsonReader players = playersOf(take);
+        for (std::size_t p = 0; p < players.size(); ++p) {
+            const JsonReader entries = players.at(p)["labels"];
             for (std::size_t i = 0; i < entries.size(); ++i) {
                 const JsonReader entry = entries.at(i);
                 TimedLabel label;
@@ -160,7 +178,7 @@ std::vector<TimedLabel> parseLabelsJson(std::string_view text, const std::string
                 label.player = static_cast<int>(p) + 1;
                 label.begin = entry["begin_s"].number();
                 label.end = entry["end_s"].number();
-                if (label.end < label.begin) throw entry.error("end_s lies before begin_s");
+                checkSpan(label, entry, "begin_s", "end_s");
                 label.aspects = readAspectValues(entry, vocabulary);
                 label.place = fmt::format("takes[{}].players[{}].labels[{}]", t, p, i);
                 labels.push_back(std::move(label));

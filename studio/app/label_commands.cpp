@@ -92,7 +92,7 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
     }
     add(
         "label.composite", tr("Next class &besides: a composite"), {QKeySequence("V")},
-        [review] { review->setComposite(!review->isComposite()); }, false, {},
+        [review] { review->announceBesides(); }, false, {},
         [review] { return review->isComposite(); });
 
     const QList<QKeySequence> extendBack = {QKeySequence("Shift+Up"), QKeySequence("Shift+PgUp")};

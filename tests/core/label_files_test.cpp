@@ -140,6 +140,21 @@ TEST(LabelTables, SayWhatIsWrongAndWhere) {
     EXPECT_EQ(messageFor(header + "1,2,\"others,1,,\n"),
               "l.csv:2: has a quote that is not closed.");
     EXPECT_THROW(parseLabelsJson("{}", "l.json", kickboxing()), InputError);
+    // A third fighter; ends before beginnings; times that no double holds.
+    EXPECT_THROW(parseLabelsJson(R"({"rate": 60, "players": [{"actions": []}, {"actions": []},
+                                     {"actions": []}]})",
+                                 "l.json", kickboxing()),
+                 InputError);
+    EXPECT_THROW(parseLabelsJson(R"({"kumite_labels": 1, "takes": [{"name": "a", "players":
+                                     [{"labels": []}, {"labels": []}, {"labels": []}]}]})",
+                                 "l.json", kickboxing()),
+                 InputError);
+    for (const char* action : {R"("begin": 9, "end": 3)", R"("begin": 0, "end": 2000000000)"}) {
+        EXPECT_THROW(parseLabelsJson(std::string(R"({"rate": 1e-305, "players": [{"actions": [{)") +
+                                         action + R"(, "label": {}}]}]})",
+                                     "l.json", kickboxing()),
+                     InputError);
+    }
     EXPECT_THROW(readLabels("labels.txt", kickboxing()), Error);
 }
 

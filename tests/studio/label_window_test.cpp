@@ -1,10 +1,13 @@
 // A labelling session in the window: questions, answers by keys, undo, painting, boundaries.
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QTabWidget>
 #include <QTest>
 #include <QToolButton>
 
@@ -187,6 +190,58 @@ TEST_F(LabelTest, ReturnAnswersOnlyInTheViewsAndPressesTheButtonThatHasTheFocus)
         QTest::keyClick(tab, Qt::Key_Return);
     }
     EXPECT_EQ(window_->workspaces().current(), "segment");
+    EXPECT_EQ(document().history().position(), before);
+}
+
+TEST_F(LabelTest, TwoClassesAreSaidByVInAnyWay) {
+    openDemo();
+    pressKeyOf("label.next");
+    const Vocabulary& vocabulary = labels().vocabulary();
+    const Label both = parseLabel(vocabulary, "left_punch:fwd+right_kick:up");
+    const auto said = [&](const ActionRef& action) {
+        Label label = labels().find(action)->byHand();
+        for (std::size_t a = 0; a < label.size(); ++a) {
+            if (both[a] == kUnknown) label[a] = kUnknown;
+        }
+        return labelText(vocabulary, label);
+    };
+    // First V, then both: the first answer stays, the second goes on.
+    const ActionRef first = *session().selectedAction();
+    pressKeyOf("label.composite");
+    press(Qt::Key_Q);
+    EXPECT_EQ(session().selectedAction(), first) << "the second class is still to come";
+    press(Qt::Key_Z, Qt::ShiftModifier);
+    EXPECT_EQ(said(first), "left_punch:fwd+right_kick:up");
+    EXPECT_FALSE(session().selectedAction() == first);
+    // One class is said already, V adds another; by number as by letter.
+    window_->commands().run("label.advance");
+    const ActionRef second = *session().selectedAction();
+    press(Qt::Key_Q);
+    pressKeyOf("label.composite");
+    press(Qt::Key_Z, Qt::ShiftModifier);
+    EXPECT_EQ(said(second), "left_punch:fwd+right_kick:up");
+    EXPECT_FALSE(review().isComposite());
+    press(Qt::Key_W);
+    EXPECT_EQ(said(second), "left_punch:bwd") << "without V a strike takes the place of others";
+    window_->commands().run("label.advance");
+}
+
+TEST_F(LabelTest, ReturnInAnOpenListAnswersNoQuestion) {
+    openDemo();
+    pressKeyOf("label.next");
+    press(Qt::Key_B);
+    waitUntilLearnt(true);
+    window_->commands().run("label.next");
+    auto* pages = panel().findChild<QTabWidget*>();
+    pages->setCurrentIndex(1);
+    auto* order = panel().findChild<QComboBox*>();
+    order->setFocus(Qt::TabFocusReason);
+    const std::size_t before = document().history().position();
+    order->showPopup();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return order->view()->isVisible(); }, 2000));
+    QTest::keyClick(order->view(), Qt::Key_Down);
+    QTest::keyClick(order->view(), Qt::Key_Return);
+    QTest::qWait(20);
     EXPECT_EQ(document().history().position(), before);
 }
 

@@ -261,6 +261,7 @@ protected:
 };
 
 TEST_F(KeeperTest, AnotherLanguageComesWithoutALossAndWithoutARestart) {
+    QDir(Recovery::folder()).removeRecursively();
     WindowKeeper keeper;
     keeper.keepCopies();
     keeper.window().show();

@@ -328,7 +328,7 @@ void LabelPalette::mousePressEvent(QMouseEvent* event) {
             review_.quick(index);
             break;
         case Spot::Besides:
-            review_.setComposite(!review_.isComposite());
+            review_.announceBesides();
             break;
         case Spot::Caption:
             break;

@@ -25,7 +25,7 @@ LabelReview::LabelReview(LabelSession& labels, QObject* parent)
             [this](int action) { show(labels_.actions()[static_cast<std::size_t>(action)]); });
     connect(&labels_, &LabelSession::changed, this, [this] {
         if (sureWanted_ && labels_.isCurrent(true)) {
-            labels_.acceptSure(*std::exchange(sureWanted_, std::nullopt));
+            tellAccepted(*std::exchange(sureWanted_, std::nullopt));
         }
     });
     connect(&labels_.session().transport(), &Transport::moved, this, &LabelReview::paintAtPlayhead);
@@ -46,11 +46,13 @@ void LabelReview::show(const ShownAction& action) {
 
 void LabelReview::next() {
     const std::vector<int>& queue = labels_.queue();
+    if (queue.empty() && labels_.progress().settled > 0 &&
+        labels_.progress().settled == labels_.progress().actions)
+        return lookAtLeastSure();
     if (queue.empty()) {
         Q_EMIT labels_.session().hinted(
-            labels_.actions().empty() ? tr("There is no action to label.")
-            : labels_.progress().settled == labels_.progress().actions
-                ? tr("Every action is labelled.")
+            labels_.actions().empty()
+                ? tr("There is no action to label.")
                 : tr("No question is left. Accept what rules and machine say of the rest."));
         return;
     }
@@ -74,6 +76,33 @@ void LabelReview::next() {
     show(labels_.actions()[static_cast<std::size_t>(*to)]);
 }
 
+/// Every action has its label: those of the machine, the least sure first.
+void LabelReview::lookAtLeastSure() {
+    std::vector<int> given;
+    const auto& actions = labels_.actions();
+    for (std::size_t i = 0; i < actions.size(); ++i) {
+        if (!actions[i].anyByHand()) given.push_back(static_cast<int>(i));
+    }
+    if (given.empty()) {
+        Q_EMIT labels_.session().hinted(tr("Every action is labelled, all of them by hand."));
+        return;
+    }
+    const auto confidence = [&](int index) {
+        return actions[static_cast<std::size_t>(index)].confidence();
+    };
+    std::stable_sort(given.begin(), given.end(),
+                     [&](int a, int b) { return confidence(a) < confidence(b); });
+    const ShownAction* current = labels_.session().selectedAction() ? labels_.current() : nullptr;
+    const int now = current ? labels_.indexOf(current->fighter, current->peak) : -1;
+    const auto here = std::find(given.begin(), given.end(), now);
+    const auto to = here == given.end() || here + 1 == given.end() ? given.begin() : here + 1;
+    if (current) visited_.emplace_back(current->fighter, current->peak);
+    show(actions[static_cast<std::size_t>(*to)]);
+    Q_EMIT labels_.session().hinted(
+        tr("Every action is labelled; of these the machine was least sure. Return says that it is "
+           "right."));
+}
+
 void LabelReview::previous() {
     while (!visited_.empty()) {
         const auto [fighter, peak] = visited_.back();
@@ -84,7 +113,19 @@ void LabelReview::previous() {
     Q_EMIT labels_.session().hinted(tr("No question was shown before."));
 }
 
-void LabelReview::answered(bool changed) {
+bool LabelReview::isFirstOfTwo() const {
+    const ShownAction* action = labels_.current();
+    return composite_ && action != nullptr && !action->anyByHand();
+}
+
+void LabelReview::answered(bool changed, bool firstOfTwo) {
+    if (firstOfTwo) {
+        const ShownAction* action = labels_.current();
+        Q_EMIT labels_.session().hinted(
+            tr("Said: %1. Now the class beside it.")
+                .arg(action ? labelWords(labels_.vocabulary(), action->label()) : QString()));
+        return;
+    }
     const bool several = labels_.chosen().size() > 1;
     if (composite_) setComposite(false);
     // Agreeing with what a hand has said already goes on, too.
@@ -175,8 +216,11 @@ void LabelReview::nameQualifier(int qualifier) {
     if (brush_) return setBrush(Brush{labels_.aspect(), qualifier});
     const std::vector<int> chosen = labels_.chosen();
     if (chosen.empty()) return;
+    const bool first = isFirstOfTwo();
+    const bool besides = composite_ && !first;
     answered(labels_.name(chosen, labels_.aspect(), qualifier,
-                          composite_ ? Naming::Besides : Naming::Instead));
+                          besides ? Naming::Besides : Naming::Instead),
+             first);
 }
 
 void LabelReview::quick(int index) {
@@ -184,7 +228,22 @@ void LabelReview::quick(int index) {
     if (index < 0 || index >= static_cast<int>(all.size())) return;
     const std::vector<int> chosen = labels_.chosen();
     if (chosen.empty()) return;
-    answered(labels_.say(chosen, all[static_cast<std::size_t>(index)].label));
+    const Label& label = all[static_cast<std::size_t>(index)].label;
+    const bool first = isFirstOfTwo();
+    if (!composite_ || first) return answered(labels_.say(chosen, label), first);
+    // Beside what is said already: of the new label only what it says itself.
+    const Vocabulary& vocabulary = labels_.vocabulary();
+    std::vector<std::pair<int, Label>> both;
+    for (const int each : chosen) {
+        Label said = labels_.actions()[static_cast<std::size_t>(each)].byHand();
+        for (int a = 0; a < vocabulary.size(); ++a) {
+            const int qualifier = label[static_cast<std::size_t>(a)];
+            if (qualifier == kUnknown || qualifier == vocabulary[a].fallback) continue;
+            said = answeredLabel(vocabulary, said, said, a, qualifier, Naming::Besides);
+        }
+        both.emplace_back(each, std::move(said));
+    }
+    answered(labels_.sayEach(both));
 }
 
 void LabelReview::setComposite(bool composite) {
@@ -193,6 +252,11 @@ void LabelReview::setComposite(bool composite) {
         Q_EMIT labels_.session().hinted(tr("The next class key adds to the label."));
     }
     Q_EMIT switched();
+}
+
+void LabelReview::announceBesides() {
+    const ShownAction* action = labels_.current();
+    setComposite(!composite_ || (action != nullptr && action->anyByHand()));
 }
 
 void LabelReview::extend(int direction) {
@@ -272,9 +336,17 @@ bool LabelReview::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
+void LabelReview::tellAccepted(double leastConfidence) {
+    const int count = labels_.countSure(leastConfidence);
+    if (!labels_.acceptSure(leastConfidence)) return;
+    Q_EMIT labels_.session().hinted(
+        count > 0 ? tr("Accepted: %n action(s). Ctrl+Z takes all of it back.", nullptr, count)
+                  : tr("Accepted what rules say."));
+}
+
 void LabelReview::acceptSure(double leastConfidence) {
     if (labels_.isCurrent(true)) {
-        labels_.acceptSure(leastConfidence);
+        tellAccepted(leastConfidence);
     } else {
         sureWanted_ = leastConfidence;
         Q_EMIT labels_.session().hinted(

@@ -57,6 +57,8 @@ public:
     /// The next class key comes beside what strikes already: a composite.
     bool isComposite() const { return composite_; }
     void setComposite(bool composite);
+    /// The same as a switch. Between the first and the second of two classes it stays on.
+    void announceBesides();
 
     /// Chooses one action more, before (-1) or after (+1) the current one.
     void extend(int direction);
@@ -86,7 +88,11 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void answered(bool changed);
+    /// Whether what is said now is the first of two classes that were announced.
+    bool isFirstOfTwo() const;
+    void answered(bool changed, bool firstOfTwo = false);
+    void lookAtLeastSure();
+    void tellAccepted(double leastConfidence);
     void paintAtPlayhead();
 
     LabelSession& labels_;

@@ -22,6 +22,22 @@ namespace {
 constexpr double kSure = 0.9;
 /// Below it a finished labelling is not called one.
 constexpr double kGoodAccuracy = 0.9;
+/// What the machine is less sure of is called a guess.
+constexpr double kGuess = 0.7;
+/// So many suspect minima are worth correcting before labelling.
+constexpr int kMany = 3;
+
+/// Minima of the shown take that nobody has judged and that are likely to be spurious.
+int countSuspects(const Session& session) {
+    int count = 0;
+    for (int player = 0; player < session.playerCount(); ++player) {
+        if (session.fighter(player) == nullptr) continue;
+        for (const BoundaryMark& mark : session.marks(player)) {
+            if (mark.minimum && mark.isOpen() && mark.suspicion >= kSuspect) ++count;
+        }
+    }
+    return count;
+}
 
 /// By hand solid, accepted lighter, open empty.
 class ProgressStrip : public QWidget {
@@ -126,9 +142,10 @@ void ProgressBox::refresh() {
     const bool anyLeft = progress.actions > 0 && progress.settled < progress.actions;
     const bool onlyRules = anyLeft && sure == 0 && labels_.queue().empty();
     // How many there are is known once the machine has learnt the last answer.
-    accept_->setText(onlyRules                 ? tr("Accept rules")
-                     : labels_.isCurrent(true) ? tr("Accept %1 sure").arg(sure)
-                                               : tr("Accept the sure"));
+    accept_->setText(onlyRules                  ? tr("Accept rules")
+                     : !labels_.isCurrent(true) ? tr("Accept the sure")
+                     : threshold() < kGuess     ? tr("Accept %1 guesses").arg(sure)
+                                                : tr("Accept %1 sure").arg(sure));
     accept_->setEnabled(anyLeft && progress.byHand > 0 && (sure > 0 || onlyRules));
 }
 
@@ -151,8 +168,8 @@ QString ProgressBox::finishedText() const {
     const double expected = progress.expectedAccuracy.value_or(1);
     if (progress.accepted > progress.byHand && expected < kGoodAccuracy) {
         return tr("Every action has a label, but of ten that the machine gave only about %1 are "
-                  "right. Undo the last acceptance and answer more questions, or look through "
-                  "the least sure ones.")
+                  "right. N leads through those of which it was least sure; or undo the "
+                  "acceptance and answer more questions.")
             .arg(std::lround(10 * expected));
     }
     return tr(
@@ -166,6 +183,13 @@ QString ProgressBox::adviceText() const {
         return finishedText();
     }
     const int few = labels_.querySettings().batch;
+    if (const int suspects = countSuspects(labels_.session());
+        progress.byHand == 0 && suspects >= kMany) {
+        return tr(
+            "%n minima are still suspect. Half actions are hard to label: correct them in "
+            "Segment first, or go on with N.",
+            nullptr, suspects);
+    }
     if (progress.byHand == 0) {
         return tr(
             "Label a few actions by hand; the machine proposes the others. N leads to the "
