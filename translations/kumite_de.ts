@@ -3668,7 +3668,7 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
     </message>
     <message>
         <source>Move the key and later ones to frame %1</source>
-        <translation>Diese und spätere Posen auf Bild %1 verschieben</translation>
+        <translation>Diese und spätere Posen auf Frame %1 verschieben</translation>
     </message>
     <message>
         <source>Later keys %1 times as far</source>
@@ -4160,10 +4160,6 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Es gibt keine Aktion zum Labeln.</translation>
     </message>
     <message>
-        <source>Every action is labelled.</source>
-        <translation>Jede Aktion ist gelabelt.</translation>
-    </message>
-    <message>
         <source>No question is left. Accept what rules and machine say of the rest.</source>
         <translation>Keine Frage ist übrig. Nehmen Sie an, was Regeln und Maschine zum Rest sagen.</translation>
     </message>
@@ -4198,6 +4194,29 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     <message>
         <source>Accepted as soon as the machine knows how sure it is.</source>
         <translation>Wird angenommen, sobald die Maschine weiß, wie sicher sie ist.</translation>
+    </message>
+    <message>
+        <source>Every action is labelled, all of them by hand.</source>
+        <translation>Jede Aktion ist gelabelt, alle von Hand.</translation>
+    </message>
+    <message>
+        <source>Every action is labelled; of these the machine was least sure. Return says that it is right.</source>
+        <translation>Jede Aktion ist gelabelt; bei diesen war die Maschine am unsichersten. Die Eingabetaste bestätigt.</translation>
+    </message>
+    <message>
+        <source>Said: %1. Now the class beside it.</source>
+        <translation>Gesagt: %1. Nun die Klasse daneben.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accepted: %n action(s). Ctrl+Z takes all of it back.</source>
+        <translation>
+            <numerusform>Angenommen: %n Aktion. Strg+Z nimmt alles zurück.</numerusform>
+            <numerusform>Angenommen: %n Aktionen. Strg+Z nimmt alles zurück.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accepted what rules say.</source>
+        <translation>Angenommen, was die Regeln sagen.</translation>
     </message>
 </context>
 <context>
@@ -5635,11 +5654,11 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>First frame of the %1</source>
-        <translation>Erstes Bild: %1</translation>
+        <translation>Erster Frame: %1</translation>
     </message>
     <message>
         <source>Last frame of the %1</source>
-        <translation>Letztes Bild: %1</translation>
+        <translation>Letzter Frame: %1</translation>
     </message>
     <message>
         <source>%1, at %2 Hz</source>
@@ -5785,19 +5804,19 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>Frame of the key</source>
-        <translation>Bild der Pose</translation>
+        <translation>Frame der Pose</translation>
     </message>
     <message>
         <source>Moves the key to that frame</source>
-        <translation>Verschiebt die Pose auf dieses Bild</translation>
+        <translation>Verschiebt die Pose auf diesen Frame</translation>
     </message>
     <message>
         <source>Later keys go as many frames along</source>
-        <translation>Spätere Posen gehen ebenso viele Bilder mit</translation>
+        <translation>Spätere Posen gehen ebenso viele Frames mit</translation>
     </message>
     <message>
         <source>Frame</source>
-        <translation>Bild</translation>
+        <translation>Frame</translation>
     </message>
     <message>
         <source>Time from this key on, times</source>
@@ -5848,11 +5867,11 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>Which moment; arrow keys go on by one frame</source>
-        <translation>Welcher Zeitpunkt; Pfeiltasten gehen ein Bild weiter</translation>
+        <translation>Welcher Zeitpunkt; Pfeiltasten gehen einen Frame weiter</translation>
     </message>
     <message>
         <source>Frame of the take or clip</source>
-        <translation>Bild des Takes oder Clips</translation>
+        <translation>Frame des Takes oder Clips</translation>
     </message>
     <message>
         <source>Time</source>
@@ -5864,7 +5883,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>frame %1 at %2 Hz</source>
-        <translation>Bild %1 bei %2 Hz</translation>
+        <translation>Frame %1 bei %2 Hz</translation>
     </message>
     <message>
         <source>Copy the pose of %1</source>
@@ -6078,15 +6097,11 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>Accept %1 sure</source>
-        <translation>%1 sichere annehmen</translation>
+        <translation>%1 annehmen</translation>
     </message>
     <message>
         <source>Accept the sure</source>
         <translation>Sichere annehmen</translation>
-    </message>
-    <message>
-        <source>Every action has a label, but of ten that the machine gave only about %1 are right. Undo the last acceptance and answer more questions, or look through the least sure ones.</source>
-        <translation>Jede Aktion hat ein Label, aber von zehn, die die Maschine vergab, stimmen nur etwa %1. Machen Sie die letzte Annahme rückgängig und beantworten Sie mehr Fragen, oder sehen Sie die unsichersten durch.</translation>
     </message>
     <message>
         <source>Every action is labelled. File &gt; Save keeps it; Label &gt; Write labels… makes a table.</source>
@@ -6123,6 +6138,21 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     <message>
         <source>The next ones are those of which the machine is least sure.</source>
         <translation>Die nächsten sind die, bei denen die Maschine am unsichersten ist.</translation>
+    </message>
+    <message>
+        <source>Accept %1 guesses</source>
+        <translation>%1 Vermutungen</translation>
+    </message>
+    <message>
+        <source>Every action has a label, but of ten that the machine gave only about %1 are right. N leads through those of which it was least sure; or undo the acceptance and answer more questions.</source>
+        <translation>Jede Aktion hat ein Label, aber von zehn der Maschine stimmen nur etwa %1. N führt durch die unsichersten; oder die Annahme rückgängig machen und mehr Fragen beantworten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minima are still suspect. Half actions are hard to label: correct them in Segment first, or go on with N.</source>
+        <translation>
+            <numerusform>%n Minimum ist noch verdächtig. Halbe Aktionen sind schwer zu labeln: erst im Schnitt verbessern, oder weiter mit N.</numerusform>
+            <numerusform>%n Minima sind noch verdächtig. Halbe Aktionen sind schwer zu labeln: erst im Schnitt verbessern, oder weiter mit N.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7980,7 +8010,7 @@ Das kam als Nächstes</translation>
     <name>kumite::studio::Words</name>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>prominence %1</source>

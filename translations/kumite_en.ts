@@ -12,12 +12,32 @@
     </message>
 </context>
 <context>
+    <name>kumite::studio::LabelReview</name>
+    <message numerus="yes">
+        <source>Accepted: %n action(s). Ctrl+Z takes all of it back.</source>
+        <translation>
+            <numerusform>Accepted: %n action. Ctrl+Z takes it back.</numerusform>
+            <numerusform>Accepted: %n actions. Ctrl+Z takes all of them back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>kumite::studio::MessageStrip</name>
     <message numerus="yes">
         <source> And %n more.</source>
         <translation>
             <numerusform> And %n more.</numerusform>
             <numerusform> And %n more.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>kumite::studio::ProgressBox</name>
+    <message numerus="yes">
+        <source>%n minima are still suspect. Half actions are hard to label: correct them in Segment first, or go on with N.</source>
+        <translation>
+            <numerusform>%n minimum is still suspect. Half actions are hard to label: correct it in Segment first, or go on with N.</numerusform>
+            <numerusform>%n minima are still suspect. Half actions are hard to label: correct them in Segment first, or go on with N.</numerusform>
         </translation>
     </message>
 </context>

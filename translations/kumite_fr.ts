@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>Change body model to %1</source>
-        <translation>Changer de modèle corporel : %1</translation>
+        <translation>Changer de modèle corporel&#xa0;: %1</translation>
     </message>
     <message>
         <source>Restore the version of %1</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>Label action %1, fighter %2: %3</source>
-        <translation>Étiqueter l’action %1, combattant %2 : %3</translation>
+        <translation>Étiqueter l’action %1, combattant %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Label action %1, fighter %2</source>
@@ -113,7 +113,7 @@
     </message>
     <message>
         <source>Label %1 actions, fighter %2: %3</source>
-        <translation>Étiqueter %1 actions, combattant %2 : %3</translation>
+        <translation>Étiqueter %1 actions, combattant %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Label %1 actions, fighter %2</source>
@@ -121,7 +121,7 @@
     </message>
     <message>
         <source>Label %1 actions: %2</source>
-        <translation>Étiqueter %1 actions : %2</translation>
+        <translation>Étiqueter %1 actions&#xa0;: %2</translation>
     </message>
     <message>
         <source>Label %1 actions</source>
@@ -149,7 +149,7 @@
     </message>
     <message>
         <source>Change vocabulary to %1</source>
-        <translation>Changer de vocabulaire : %1</translation>
+        <translation>Changer de vocabulaire&#xa0;: %1</translation>
     </message>
     <message>
         <source>Change rules</source>
@@ -204,7 +204,7 @@
     <name>KeysSheet</name>
     <message>
         <source>Kumite: keys and mouse</source>
-        <translation>Kumite : touches et souris</translation>
+        <translation>Kumite&#xa0;: touches et souris</translation>
     </message>
 </context>
 <context>
@@ -322,7 +322,7 @@
     <name>WhatsThis</name>
     <message>
         <source>Key: %1</source>
-        <translation>Touche : %1</translation>
+        <translation>Touche&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -1006,7 +1006,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     <name>kumite::studio::BoutCommands</name>
     <message>
         <source>Avatar: %1</source>
-        <translation>Avatar : %1</translation>
+        <translation>Avatar&#xa0;: %1</translation>
     </message>
     <message>
         <source>The analysis is not finished yet.</source>
@@ -1026,11 +1026,11 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>The project changed while the bout was written. Its files are there; open them as a take, or keep it again under another name.</source>
-        <translation>Le projet a changé pendant l’écriture du combat. Ses fichiers sont là ; ouvrez-les comme prise, ou gardez-le de nouveau sous un autre nom.</translation>
+        <translation>Le projet a changé pendant l’écriture du combat. Ses fichiers sont là&#xa0;; ouvrez-les comme prise, ou gardez-le de nouveau sous un autre nom.</translation>
     </message>
     <message>
         <source>Kept as take %1. Detection alone finds %2 % and %3 % of its boundaries.</source>
-        <translation>Gardé comme prise %1. La détection seule trouve %2 % et %3 % de ses limites.</translation>
+        <translation>Gardé comme prise %1. La détection seule trouve %2&#xa0;% et %3&#xa0;% de ses limites.</translation>
     </message>
     <message>
         <source>Writing the bout</source>
@@ -1046,7 +1046,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>Motion of both, NAME-1 and NAME-2 (*.bvh);;glTF: skeletons and animation (*.glb);;Pictures, 30 a second (*.png);;Video, by ffmpeg (*.mp4);;Log: everything that makes it again (*.json)</source>
-        <translation>Mouvement des deux, NOM-1 et NOM-2 (*.bvh);;glTF : squelettes et animation (*.glb);;Images, 30 par seconde (*.png);;Vidéo, par ffmpeg (*.mp4);;Journal : tout pour le refaire (*.json)</translation>
+        <translation>Mouvement des deux, NOM-1 et NOM-2 (*.bvh);;glTF&#xa0;: squelettes et animation (*.glb);;Images, 30 par seconde (*.png);;Vidéo, par ffmpeg (*.mp4);;Journal&#xa0;: tout pour le refaire (*.json)</translation>
     </message>
     <message>
         <source>Cancelled.</source>
@@ -1054,7 +1054,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Bout</source>
@@ -1110,23 +1110,23 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>&amp;Automatic: the model decides</source>
-        <translation>&amp;Automatique : le modèle décide</translation>
+        <translation>&amp;Automatique&#xa0;: le modèle décide</translation>
     </message>
     <message>
         <source>A&amp;vatar: keys lead one fighter</source>
-        <translation>A&amp;vatar : les touches guident un combattant</translation>
+        <translation>A&amp;vatar&#xa0;: les touches guident un combattant</translation>
     </message>
     <message>
         <source>&amp;Passive: one answers a captured attack</source>
-        <translation>&amp;Passif : l’un répond à une attaque capturée</translation>
+        <translation>&amp;Passif&#xa0;: l’un répond à une attaque capturée</translation>
     </message>
     <message>
         <source>Avatar: key %1</source>
-        <translation>Avatar : touche %1</translation>
+        <translation>Avatar&#xa0;: touche %1</translation>
     </message>
     <message>
         <source>Avatar: forget &amp;what was asked for</source>
-        <translation>Avatar : &amp;oublier ce qui était demandé</translation>
+        <translation>Avatar&#xa0;: &amp;oublier ce qui était demandé</translation>
     </message>
     <message>
         <source>&amp;Measure the quality</source>
@@ -1145,11 +1145,11 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     <name>kumite::studio::BoutExport</name>
     <message>
         <source>%1: it cannot be written there.</source>
-        <translation>%1 : impossible d’écrire à cet endroit.</translation>
+        <translation>%1&#xa0;: impossible d’écrire à cet endroit.</translation>
     </message>
     <message>
         <source>There is no ffmpeg on this computer, which a video needs: install it (on Debian and Ubuntu: sudo apt install ffmpeg), or export pictures (.png).</source>
-        <translation>Il n’y a pas de ffmpeg sur cet ordinateur, or une vidéo en a besoin : installez-le (sous Debian et Ubuntu : sudo apt install ffmpeg), ou exportez des images (.png).</translation>
+        <translation>Il n’y a pas de ffmpeg sur cet ordinateur, or une vidéo en a besoin&#xa0;: installez-le (sous Debian et Ubuntu&#xa0;: sudo apt install ffmpeg), ou exportez des images (.png).</translation>
     </message>
     <message>
         <source>%1 cannot be started.</source>
@@ -1157,7 +1157,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>ffmpeg could not write the video: %1</source>
-        <translation>ffmpeg n’a pas pu écrire la vidéo : %1</translation>
+        <translation>ffmpeg n’a pas pu écrire la vidéo&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -1215,7 +1215,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>Joint accelerations where actions are joined, their 99th percentile over that inside recorded actions</source>
-        <translation>Accélérations des articulations là où les actions se raccordent : leur 99e centile, rapporté à celui des actions enregistrées</translation>
+        <translation>Accélérations des articulations là où les actions se raccordent&#xa0;: leur 99e centile, rapporté à celui des actions enregistrées</translation>
     </message>
     <message>
         <source>facing</source>
@@ -1247,7 +1247,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>Share of distinct runs of three labels; falls with length</source>
-        <translation>Part des suites distinctes de trois étiquettes ; baisse avec la durée</translation>
+        <translation>Part des suites distinctes de trois étiquettes&#xa0;; baisse avec la durée</translation>
     </message>
     <message>
         <source>reacts first</source>
@@ -1279,7 +1279,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>One replays a captured attack that the model has not seen; the other answers and may not attack</source>
-        <translation>L’un rejoue une attaque capturée que le modèle n’a pas vue ; l’autre répond sans pouvoir attaquer</translation>
+        <translation>L’un rejoue une attaque capturée que le modèle n’a pas vue&#xa0;; l’autre répond sans pouvoir attaquer</translation>
     </message>
     <message>
         <source>Under attack the avatar may answer before it does as asked</source>
@@ -1307,7 +1307,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>0: always the likeliest; 1: as learnt; above: more even</source>
-        <translation>0 : toujours le plus probable ; 1 : comme appris ; au-dessus : plus uniforme</translation>
+        <translation>0&#xa0;: toujours le plus probable&#xa0;; 1&#xa0;: comme appris&#xa0;; au-dessus&#xa0;: plus uniforme</translation>
     </message>
     <message>
         <source>State of the bout</source>
@@ -1315,7 +1315,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>Why this?</source>
-        <translation>Pourquoi cela ?</translation>
+        <translation>Pourquoi cela&#xa0;?</translation>
     </message>
     <message>
         <source>The choice</source>
@@ -1331,7 +1331,7 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>It cannot be taken: %1.</source>
-        <translation>Impossible de le prendre : %1.</translation>
+        <translation>Impossible de le prendre&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -1387,11 +1387,11 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>Asked for: %1</source>
-        <translation>Demandé : %1</translation>
+        <translation>Demandé&#xa0;: %1</translation>
     </message>
     <message>
         <source>Labels or boundaries changed: begin anew to use them.</source>
-        <translation>Des étiquettes ou des limites ont changé : recommencez à neuf pour les utiliser.</translation>
+        <translation>Des étiquettes ou des limites ont changé&#xa0;: recommencez à neuf pour les utiliser.</translation>
     </message>
     <message>
         <source>Each choice, with all that could have been, appears here.</source>
@@ -1403,15 +1403,15 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>: replayed</source>
-        <translation> : rejoué</translation>
+        <translation>&#xa0;: rejoué</translation>
     </message>
     <message>
         <source>: chosen by hand</source>
-        <translation> : choisi à la main</translation>
+        <translation>&#xa0;: choisi à la main</translation>
     </message>
     <message>
         <source>: as asked for</source>
-        <translation> : comme demandé</translation>
+        <translation>&#xa0;: comme demandé</translation>
     </message>
     <message>
         <source> (no other stance was left)</source>
@@ -1499,19 +1499,19 @@ Entrée l’ajoute, Maj+Entrée l’échange contre le bloc choisi</translation>
     </message>
     <message>
         <source>%1: chance %2, label term %3, geometry term %4, product %5</source>
-        <translation>%1 : chance %2, terme d’étiquette %3, terme géométrique %4, produit %5</translation>
+        <translation>%1&#xa0;: chance %2, terme d’étiquette %3, terme géométrique %4, produit %5</translation>
     </message>
     <message>
         <source>
 Sample: %1, %2</source>
         <translation>
-Exemple : %1, %2</translation>
+Exemple&#xa0;: %1, %2</translation>
     </message>
     <message>
         <source>
 Could not be drawn: %1</source>
         <translation>
-N’a pas pu être tiré : %1</translation>
+N’a pas pu être tiré&#xa0;: %1</translation>
     </message>
     <message>
         <source>
@@ -1534,11 +1534,11 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>A map of the poses appears here: like ones near each other, and the way that a transition takes.</source>
-        <translation>Une carte des poses apparaît ici : les semblables y sont voisines, avec le chemin que suit une transition.</translation>
+        <translation>Une carte des poses apparaît ici&#xa0;: les semblables y sont voisines, avec le chemin que suit une transition.</translation>
     </message>
     <message>
         <source>%1 kinds of poses, like ones near each other · line: what leads where</source>
-        <translation>%1 sortes de poses, les semblables voisines · trait : ce qui mène où</translation>
+        <translation>%1 sortes de poses, les semblables voisines · trait&#xa0;: ce qui mène où</translation>
     </message>
 </context>
 <context>
@@ -1557,7 +1557,7 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>A name, a menu or a word for it: ↑ ↓ choose, Return runs, Esc leaves</source>
-        <translation>Un nom, un menu ou un mot : ↑ ↓ choisissent, Entrée exécute, Échap quitte</translation>
+        <translation>Un nom, un menu ou un mot&#xa0;: ↑ ↓ choisissent, Entrée exécute, Échap quitte</translation>
     </message>
     <message>
         <source>Commands</source>
@@ -1565,11 +1565,11 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>%1 · “%2”</source>
-        <translation>%1 · « %2 »</translation>
+        <translation>%1 · «&#xa0;%2&#xa0;»</translation>
     </message>
     <message>
         <source>No command that can be run now is called “%1”.</source>
-        <translation>Aucune commande utilisable maintenant ne s’appelle « %1 ».</translation>
+        <translation>Aucune commande utilisable maintenant ne s’appelle «&#xa0;%1&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -1596,7 +1596,7 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>On the timeline: ○ only in A, dotted lines only in B</source>
-        <translation>Sur la ligne de temps : ○ dans A seul, pointillés dans B seul</translation>
+        <translation>Sur la ligne de temps&#xa0;: ○ dans A seul, pointillés dans B seul</translation>
     </message>
     <message>
         <source>Cut the project by settings B</source>
@@ -1608,7 +1608,7 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>%1: %2 in both, %3 only A, %4 only B</source>
-        <translation>%1 : %2 dans les deux, %3 dans A seul, %4 dans B seul</translation>
+        <translation>%1&#xa0;: %2 dans les deux, %3 dans A seul, %4 dans B seul</translation>
     </message>
 </context>
 <context>
@@ -1647,7 +1647,7 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>Both: actions of which both people said something. κ (Cohen): how much more often they say the same than by chance; 1 always, 0 as often as by chance.</source>
-        <translation>Les deux : actions dont les deux personnes ont dit quelque chose. κ (Cohen) : combien elles s’accordent plus souvent que par hasard ; 1 toujours, 0 aussi souvent que par hasard.</translation>
+        <translation>Les deux&#xa0;: actions dont les deux personnes ont dit quelque chose. κ (Cohen)&#xa0;: combien elles s’accordent plus souvent que par hasard&#xa0;; 1 toujours, 0 aussi souvent que par hasard.</translation>
     </message>
     <message>
         <source>Differences</source>
@@ -1655,11 +1655,11 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>Their value, as said by a hand; goes on to the next (Enter)</source>
-        <translation>Leur valeur, comme dite à la main ; passe à la suivante (Entrée)</translation>
+        <translation>Leur valeur, comme dite à la main&#xa0;; passe à la suivante (Entrée)</translation>
     </message>
     <message>
         <source>What the project says stays; goes on to the next (Backspace)</source>
-        <translation>Ce que dit le projet reste ; passe à la suivante (Retour arrière)</translation>
+        <translation>Ce que dit le projet reste&#xa0;; passe à la suivante (Retour arrière)</translation>
     </message>
     <message>
         <source>Theirs for all that are not decided, as one step of the history</source>
@@ -1675,15 +1675,15 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>Another person&apos;s labels are compared here with those of the project: Label &gt; Compare with labels of… opens their file.</source>
-        <translation>Les étiquettes d’une autre personne sont comparées ici à celles du projet : Étiquetage &gt; Comparer aux étiquettes de… ouvre leur fichier.</translation>
+        <translation>Les étiquettes d’une autre personne sont comparées ici à celles du projet&#xa0;: Étiquetage &gt; Comparer aux étiquettes de… ouvre leur fichier.</translation>
     </message>
     <message>
         <source>%1: 1 action labelled by both, %2 alike</source>
-        <translation>%1 : 1 action étiquetée par les deux, %2 pareille</translation>
+        <translation>%1&#xa0;: 1 action étiquetée par les deux, %2 pareille</translation>
     </message>
     <message>
         <source>%1: %3 actions labelled by both, %2 alike</source>
-        <translation>%1 : %3 actions étiquetées par les deux, %2 pareilles</translation>
+        <translation>%1&#xa0;: %3 actions étiquetées par les deux, %2 pareilles</translation>
     </message>
     <message>
         <source>, κ %1</source>
@@ -1738,11 +1738,11 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>%1 by hand and %2: </source>
-        <translation>%1 à la main et %2 : </translation>
+        <translation>%1 à la main et %2&#xa0;: </translation>
     </message>
     <message>
         <source>%1 by hand, %2 %3: </source>
-        <translation>%1 à la main, %2 %3 : </translation>
+        <translation>%1 à la main, %2 %3&#xa0;: </translation>
     </message>
     <message>
         <source>1 action</source>
@@ -1768,7 +1768,7 @@ Un clic le prend à la place</translation>
     <name>kumite::studio::DifferencesModel</name>
     <message>
         <source>%1, %2, %3: mine %4, theirs %5</source>
-        <translation>%1, %2, %3 : moi %4, eux %5</translation>
+        <translation>%1, %2, %3&#xa0;: moi %4, eux %5</translation>
     </message>
     <message>
         <source>time</source>
@@ -1795,7 +1795,7 @@ Un clic le prend à la place</translation>
     </message>
     <message>
         <source>How far the poses are from each other: the last frames of what was there down, the first frames of what comes in to the right. The stronger the colour, the nearer they are; the ring is where both were joined.</source>
-        <translation>Écart entre les poses : vers le bas les dernières images de ce qui était là, vers la droite les premières de ce qui arrive. Plus la couleur est forte, plus elles sont proches ; l’anneau est là où elles sont raccordées.</translation>
+        <translation>Écart entre les poses&#xa0;: vers le bas les dernières images de ce qui était là, vers la droite les premières de ce qui arrive. Plus la couleur est forte, plus elles sont proches&#xa0;; l’anneau est là où elles sont raccordées.</translation>
     </message>
     <message>
         <source>frames that come in →</source>
@@ -1810,7 +1810,7 @@ Un clic le prend à la place</translation>
     <name>kumite::studio::Document</name>
     <message>
         <source>The force curves are still being computed; try again in a moment.</source>
-        <translation>Les courbes de force sont encore en calcul ; réessayez dans un instant.</translation>
+        <translation>Les courbes de force sont encore en calcul&#xa0;; réessayez dans un instant.</translation>
     </message>
     <message>
         <source>Computing force curves</source>
@@ -1843,9 +1843,9 @@ Un clic le prend à la place</translation>
         <source>%1: %2
 %3 Hz, %4 frames
 Double-click: start, place, floor, joints</source>
-        <translation>%1 : %2
+        <translation>%1&#xa0;: %2
 %3 Hz, %4 images
-Double-clic : début, place, sol, articulations</translation>
+Double-clic&#xa0;: début, place, sol, articulations</translation>
     </message>
 </context>
 <context>
@@ -1860,7 +1860,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Whose properties are shown: the active fighter&apos;s (Tab)</source>
-        <translation>De qui sont les propriétés : du combattant actif (Tab)</translation>
+        <translation>De qui sont les propriétés&#xa0;: du combattant actif (Tab)</translation>
     </message>
     <message>
         <source>Time</source>
@@ -1872,7 +1872,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>When its first frame stands on the clock of the take; puts the fighters in step.</source>
-        <translation>Quand sa première image se place sur l’horloge de la prise ; met les combattants au pas.</translation>
+        <translation>Quand sa première image se place sur l’horloge de la prise&#xa0;; met les combattants au pas.</translation>
     </message>
     <message>
         <source> s</source>
@@ -1940,7 +1940,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>The height at which the feet rest; switch it off to set the floor by hand.</source>
-        <translation>La hauteur où reposent les pieds ; désactivez pour fixer le sol à la main.</translation>
+        <translation>La hauteur où reposent les pieds&#xa0;; désactivez pour fixer le sol à la main.</translation>
     </message>
     <message>
         <source>Height of the floor in metres</source>
@@ -1964,7 +1964,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>How the mass is spread over the body: what the centre of mass and with it the contact force are made of.</source>
-        <translation>Comment la masse est répartie sur le corps : de là viennent le centre de masse et, avec lui, la force de contact.</translation>
+        <translation>Comment la masse est répartie sur le corps&#xa0;: de là viennent le centre de masse et, avec lui, la force de contact.</translation>
     </message>
     <message>
         <source>Which joint is what</source>
@@ -1976,7 +1976,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>The joint of the recording that is the %1 of the body.</source>
-        <translation>L’articulation de l’enregistrement qui est la partie « %1 » du corps.</translation>
+        <translation>L’articulation de l’enregistrement qui est la partie «&#xa0;%1&#xa0;» du corps.</translation>
     </message>
     <message>
         <source>Start, place, floor and joints of a fighter appear here as soon as there is a take.</source>
@@ -1984,7 +1984,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 Hz, frames %2 to %3 of %4, %5 joints</source>
@@ -2000,7 +2000,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>The recording is missing: File, Find recording.</source>
-        <translation>L’enregistrement manque : Fichier, Trouver l’enregistrement.</translation>
+        <translation>L’enregistrement manque&#xa0;: Fichier, Trouver l’enregistrement.</translation>
     </message>
     <message>
         <source>From a file…</source>
@@ -2031,11 +2031,11 @@ Double-clic : début, place, sol, articulations</translation>
     <name>kumite::studio::FileActions</name>
     <message>
         <source>A project opens alone: choose one .kumite file, or one or two recordings.</source>
-        <translation>Un projet s’ouvre seul : choisissez un fichier .kumite, ou un ou deux enregistrements.</translation>
+        <translation>Un projet s’ouvre seul&#xa0;: choisissez un fichier .kumite, ou un ou deux enregistrements.</translation>
     </message>
     <message>
         <source>A take has one or two fighters: choose one or two recordings, not %1.</source>
-        <translation>Une prise a un ou deux combattants : choisissez un ou deux enregistrements, pas %1.</translation>
+        <translation>Une prise a un ou deux combattants&#xa0;: choisissez un ou deux enregistrements, pas %1.</translation>
     </message>
     <message>
         <source>Open elsewhere</source>
@@ -2071,7 +2071,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>The demo bout: two made fighters. Save it to keep what you change.</source>
-        <translation>Le combat de démonstration : deux combattants fabriqués. Enregistrez-le pour garder vos modifications.</translation>
+        <translation>Le combat de démonstration&#xa0;: deux combattants fabriqués. Enregistrez-le pour garder vos modifications.</translation>
     </message>
     <message>
         <source>Recovering %1</source>
@@ -2107,7 +2107,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Where is %1 of %2?</source>
-        <translation>Où est %1 de %2 ?</translation>
+        <translation>Où est %1 de %2&#xa0;?</translation>
     </message>
     <message>
         <source>Save the project</source>
@@ -2187,7 +2187,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Restored the version of %1; Ctrl+Z takes it back.</source>
-        <translation>Version de %1 restaurée ; Ctrl+Z y revient.</translation>
+        <translation>Version de %1 restaurée&#xa0;; Ctrl+Z y revient.</translation>
     </message>
     <message>
         <source>That version is what is open.</source>
@@ -2203,7 +2203,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Save the changes to %1?</source>
-        <translation>Enregistrer les modifications de %1 ?</translation>
+        <translation>Enregistrer les modifications de %1&#xa0;?</translation>
     </message>
     <message>
         <source>What is not saved is lost.</source>
@@ -2226,7 +2226,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Aspects and qualifiers (kick, right punch fwd, jump none), who said it (by hand, machine, rule), how surely (uncertain, below 0.6), which fighter or take, when (after 1:20, longer than 1 s), unlabelled. All must hold; &quot;or&quot; joins two, &quot;not&quot; turns one round. Source and confidence are those of the aspects that are named.</source>
-        <translation>Aspects et qualificatifs (kick, right punch fwd, jump none), qui l’a dit (by hand, machine, rule), avec quelle sûreté (uncertain, below 0.6), quel combattant ou quelle prise, quand (after 1:20, longer than 1 s), unlabelled pour sans étiquette. Tout doit être vrai ; « or » en relie deux, « not » en inverse un. Source et confiance sont celles des aspects nommés.</translation>
+        <translation>Aspects et qualificatifs (kick, right punch fwd, jump none), qui l’a dit (by hand, machine, rule), avec quelle sûreté (uncertain, below 0.6), quel combattant ou quelle prise, quand (after 1:20, longer than 1 s), unlabelled pour sans étiquette. Tout doit être vrai&#xa0;; «&#xa0;or&#xa0;» en relie deux, «&#xa0;not&#xa0;» en inverse un. Source et confiance sont celles des aspects nommés.</translation>
     </message>
     <message>
         <source>What was understood</source>
@@ -2234,7 +2234,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Choose all that were found in this take: the next label goes to all of them, as one step</source>
-        <translation>Choisir toutes celles trouvées dans cette prise : l’étiquette suivante va à toutes, en une étape</translation>
+        <translation>Choisir toutes celles trouvées dans cette prise&#xa0;: l’étiquette suivante va à toutes, en une étape</translation>
     </message>
     <message>
         <source>1 action</source>
@@ -2288,7 +2288,7 @@ Double-clic : début, place, sol, articulations</translation>
     <name>kumite::studio::FoundModel</name>
     <message>
         <source>%1, %2: %3, %4</source>
-        <translation>%1, %2 : %3, %4</translation>
+        <translation>%1, %2&#xa0;: %3, %4</translation>
     </message>
     <message>
         <source>, p %1</source>
@@ -2296,11 +2296,11 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Who says it; of several aspects the least sure</source>
-        <translation>Qui le dit ; de plusieurs aspects, le moins sûr</translation>
+        <translation>Qui le dit&#xa0;; de plusieurs aspects, le moins sûr</translation>
     </message>
     <message>
         <source>Confidence; of several aspects the least</source>
-        <translation>Confiance ; de plusieurs aspects, la plus faible</translation>
+        <translation>Confiance&#xa0;; de plusieurs aspects, la plus faible</translation>
     </message>
     <message>
         <source>time</source>
@@ -2398,7 +2398,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>&amp;Graph</source>
@@ -2485,11 +2485,11 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>%1: the name must end in .csv, .json, .graphml, .png or .svg.</source>
-        <translation>%1 : le nom doit finir par .csv, .json, .graphml, .png ou .svg.</translation>
+        <translation>%1&#xa0;: le nom doit finir par .csv, .json, .graphml, .png ou .svg.</translation>
     </message>
     <message>
         <source>%1: it cannot be written there.</source>
-        <translation>%1 : impossible d’écrire à cet endroit.</translation>
+        <translation>%1&#xa0;: impossible d’écrire à cet endroit.</translation>
     </message>
 </context>
 <context>
@@ -2503,7 +2503,7 @@ Double-clic : début, place, sol, articulations</translation>
     <name>kumite::studio::GraphSession</name>
     <message>
         <source>%1: more often</source>
-        <translation>%1 : plus souvent</translation>
+        <translation>%1&#xa0;: plus souvent</translation>
     </message>
     <message>
         <source>others</source>
@@ -2531,7 +2531,7 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>surprise %1 (%2 seen the motion): label %3 (%4), geometry %5</source>
-        <translation>surprise %1 (%2 après avoir vu le mouvement) : étiquette %3 (%4), géométrie %5</translation>
+        <translation>surprise %1 (%2 après avoir vu le mouvement)&#xa0;: étiquette %3 (%4), géométrie %5</translation>
     </message>
     <message>
         <source>Learning transitions</source>
@@ -2577,11 +2577,11 @@ Double-clic : début, place, sol, articulations</translation>
     </message>
     <message>
         <source>&amp;What is this? Click on it</source>
-        <translation>&amp;Qu’est-ce que c’est ? Cliquez dessus</translation>
+        <translation>&amp;Qu’est-ce que c’est&#xa0;? Cliquez dessus</translation>
     </message>
     <message>
         <source>What has the f&amp;ocus?</source>
-        <translation>&amp;Où est le focus ?</translation>
+        <translation>&amp;Où est le focus&#xa0;?</translation>
     </message>
     <message>
         <source>&amp;Keys and mouse</source>
@@ -2632,7 +2632,7 @@ Un studio pour annoter la capture de mouvement d’arts martiaux à deux.</trans
     </message>
     <message>
         <source>Shows the pages that hold all of these words. Return: the next place; Shift+Return: the one before. (Ctrl+F)</source>
-        <translation>Affiche les pages qui contiennent tous ces mots. Entrée : l’endroit suivant ; Maj+Entrée : le précédent. (Ctrl+F)</translation>
+        <translation>Affiche les pages qui contiennent tous ces mots. Entrée&#xa0;: l’endroit suivant&#xa0;; Maj+Entrée&#xa0;: le précédent. (Ctrl+F)</translation>
     </message>
     <message>
         <source>How often the words were found</source>
@@ -2724,7 +2724,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Which strike; its examples are the actions with that label</source>
-        <translation>Quelle frappe ; ses exemples sont les actions de cette étiquette</translation>
+        <translation>Quelle frappe&#xa0;; ses exemples sont les actions de cette étiquette</translation>
     </message>
     <message>
         <source>a place</source>
@@ -2784,7 +2784,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>No blend of whole examples reaches it: parts of the body are blended and turned.</source>
-        <translation>Aucun mélange d’exemples entiers ne l’atteint : des parties du corps sont mélangées et tournées.</translation>
+        <translation>Aucun mélange d’exemples entiers ne l’atteint&#xa0;: des parties du corps sont mélangées et tournées.</translation>
     </message>
     <message>
         <source>It is outside of the box that is reached.</source>
@@ -2796,7 +2796,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Missed by %1 cm: the nearest that can be reached. %2 %3 examples.</source>
-        <translation>Manquée de %1 cm : le plus près possible. %2 %3 exemples.</translation>
+        <translation>Manquée de %1 cm&#xa0;: le plus près possible. %2 %3 exemples.</translation>
     </message>
 </context>
 <context>
@@ -2862,7 +2862,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Frames read begin:end, such as 120:900; either may be left out.</source>
-        <translation>Les images s’écrivent début:fin, comme 120:900 ; l’un ou l’autre peut manquer.</translation>
+        <translation>Les images s’écrivent début:fin, comme 120:900&#xa0;; l’un ou l’autre peut manquer.</translation>
     </message>
     <message>
         <source>Looking</source>
@@ -2878,11 +2878,11 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>&lt;b&gt;Check:&lt;/b&gt; %1</source>
-        <translation>&lt;b&gt;À vérifier :&lt;/b&gt; %1</translation>
+        <translation>&lt;b&gt;À vérifier&#xa0;:&lt;/b&gt; %1</translation>
     </message>
     <message>
         <source>found: %1</source>
-        <translation>détecté : %1</translation>
+        <translation>détecté&#xa0;: %1</translation>
     </message>
     <message>
         <source>y</source>
@@ -2902,7 +2902,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Hz; header: %1</source>
-        <translation>Hz ; en-tête : %1</translation>
+        <translation>Hz&#xa0;; en-tête&#xa0;: %1</translation>
     </message>
     <message>
         <source> and </source>
@@ -2930,7 +2930,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Path of the recording; the button beside it, or a drop, chooses one</source>
-        <translation>Chemin de l’enregistrement ; le bouton à côté, ou un dépôt, en choisit un</translation>
+        <translation>Chemin de l’enregistrement&#xa0;; le bouton à côté, ou un dépôt, en choisit un</translation>
     </message>
     <message>
         <source>a .bvh or .amc file</source>
@@ -2938,7 +2938,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>none: a single fighter</source>
-        <translation>aucun : un combattant seul</translation>
+        <translation>aucun&#xa0;: un combattant seul</translation>
     </message>
     <message>
         <source>Skeleton</source>
@@ -3030,7 +3030,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>BVH, or AMC with its ASF; others go through Blender</source>
-        <translation>BVH, ou AMC avec son ASF ; les autres passent par Blender</translation>
+        <translation>BVH, ou AMC avec son ASF&#xa0;; les autres passent par Blender</translation>
     </message>
     <message>
         <source>Recordings (*.bvh *.BVH *.amc *.AMC);;All files (*)</source>
@@ -3066,7 +3066,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>True frame rate, where the header is wrong: the preview shows it</source>
-        <translation>Vraie cadence, si l’en-tête est faux : l’aperçu la montre</translation>
+        <translation>Vraie cadence, si l’en-tête est faux&#xa0;: l’aperçu la montre</translation>
     </message>
     <message>
         <source>Frames, begin:end</source>
@@ -3074,7 +3074,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Frames of the files; the end is the first frame left out. Empty: all, without a leading T-pose.</source>
-        <translation>Images des fichiers ; la fin est la première image exclue. Vide : toutes, sans pose en T initiale.</translation>
+        <translation>Images des fichiers&#xa0;; la fin est la première image exclue. Vide&#xa0;: toutes, sans pose en T initiale.</translation>
     </message>
     <message>
         <source>Take</source>
@@ -3531,7 +3531,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Your own; the studio brings: %1</source>
-        <translation>La vôtre ; le studio fournit : %1</translation>
+        <translation>La vôtre&#xa0;; le studio fournit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Assign</source>
@@ -3543,7 +3543,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Press the new key for “%1” in the field.</source>
-        <translation>Pressez la nouvelle touche de « %1 » dans le champ.</translation>
+        <translation>Pressez la nouvelle touche de «&#xa0;%1&#xa0;» dans le champ.</translation>
     </message>
     <message>
         <source>%1 is its key already.</source>
@@ -3578,7 +3578,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Press the key here, alone or with Ctrl, Shift, Alt; then Tab goes on, and Shift+Tab always goes back</source>
-        <translation>Pressez la touche ici, seule ou avec Ctrl, Maj, Alt ; ensuite Tab avance, et Maj+Tab recule toujours</translation>
+        <translation>Pressez la touche ici, seule ou avec Ctrl, Maj, Alt&#xa0;; ensuite Tab avance, et Maj+Tab recule toujours</translation>
     </message>
 </context>
 <context>
@@ -3629,7 +3629,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>A few key poses become a motion that is put together from the takes and clips: it appears here.</source>
-        <translation>Quelques poses clés deviennent un mouvement, assemblé à partir des prises et des clips : il apparaît ici.</translation>
+        <translation>Quelques poses clés deviennent un mouvement, assemblé à partir des prises et des clips&#xa0;: il apparaît ici.</translation>
     </message>
 </context>
 <context>
@@ -3692,7 +3692,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Drag the %1</source>
-        <translation>Tirer : %1</translation>
+        <translation>Tirer&#xa0;: %1</translation>
     </message>
     <message>
         <source>Turn the %1</source>
@@ -3700,7 +3700,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>Move the %1 a little</source>
-        <translation>Déplacer un peu : %1</translation>
+        <translation>Déplacer un peu&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -3746,7 +3746,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>select a boundary; remove or restore it</source>
-        <translation>choisir une limite ; la supprimer ou la rétablir</translation>
+        <translation>choisir une limite&#xa0;; la supprimer ou la rétablir</translation>
     </message>
     <message>
         <source>× over a boundary</source>
@@ -3762,7 +3762,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>move it; Ctrl or Alt: without snapping; Esc: leave it</source>
-        <translation>la déplacer ; Ctrl ou Alt : sans aimantation ; Échap : la laisser</translation>
+        <translation>la déplacer&#xa0;; Ctrl ou Alt&#xa0;: sans aimantation&#xa0;; Échap&#xa0;: la laisser</translation>
     </message>
     <message>
         <source>drag elsewhere</source>
@@ -3786,7 +3786,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>select it; show and loop it</source>
-        <translation>la choisir ; l’afficher en boucle</translation>
+        <translation>la choisir&#xa0;; l’afficher en boucle</translation>
     </message>
     <message>
         <source>right click</source>
@@ -3846,11 +3846,11 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>measuring: click joints</source>
-        <translation>en mesure : clic sur des articulations</translation>
+        <translation>en mesure&#xa0;: clic sur des articulations</translation>
     </message>
     <message>
         <source>distance; over a joint: its speed</source>
-        <translation>distance ; sur une articulation : sa vitesse</translation>
+        <translation>distance&#xa0;; sur une articulation&#xa0;: sa vitesse</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
@@ -3957,7 +3957,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>%1: %2 of %3 labels found their action.</source>
-        <translation>%1 : %2 étiquettes sur %3 ont trouvé leur action.</translation>
+        <translation>%1&#xa0;: %2 étiquettes sur %3 ont trouvé leur action.</translation>
     </message>
     <message>
         <source>Labels written to %1.</source>
@@ -3969,7 +3969,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>It has no word for these labels, which would be dropped (undo brings them back):</source>
-        <translation>Il n’a pas de mot pour ces étiquettes, qui seraient abandonnées (annuler les ramène) :</translation>
+        <translation>Il n’a pas de mot pour ces étiquettes, qui seraient abandonnées (annuler les ramène)&#xa0;:</translation>
     </message>
     <message>
         <source>The vocabulary is %1 now.</source>
@@ -3977,7 +3977,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>%1: %2, %3 aspects.</source>
-        <translation>%1 : %2, %3 aspects.</translation>
+        <translation>%1&#xa0;: %2, %3 aspects.</translation>
     </message>
     <message>
         <source>Use vocabulary</source>
@@ -3992,7 +3992,7 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>note: %1</source>
-        <translation>note : %1</translation>
+        <translation>note&#xa0;: %1</translation>
     </message>
     <message>
         <source>the machine would say %1</source>
@@ -4022,17 +4022,17 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
     </message>
     <message>
         <source>and: adds the next class</source>
-        <translation>et : ajoute la classe suivante</translation>
+        <translation>et&#xa0;: ajoute la classe suivante</translation>
     </message>
     <message>
         <source>For two strikes in one action: this, then a class of another lane</source>
-        <translation>Pour deux frappes dans une action : ceci, puis une classe d’une autre piste</translation>
+        <translation>Pour deux frappes dans une action&#xa0;: ceci, puis une classe d’une autre piste</translation>
     </message>
     <message>
         <source>
 Right click: paint with it over actions of the timeline</source>
         <translation>
-Clic droit : en peindre les actions de la ligne de temps</translation>
+Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
     </message>
 </context>
 <context>
@@ -4059,7 +4059,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Take the second best instead; of what a hand said, nothing any more</source>
-        <translation>Prendre le deuxième choix à la place ; de ce qu’une main a dit, plus rien</translation>
+        <translation>Prendre le deuxième choix à la place&#xa0;; de ce qu’une main a dit, plus rien</translation>
     </message>
     <message>
         <source>Why rules say so</source>
@@ -4083,7 +4083,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Most useful: where the machine is torn, spread over different-looking actions</source>
-        <translation>Les plus utiles : là où la machine hésite, réparties sur des actions d’aspects différents</translation>
+        <translation>Les plus utiles&#xa0;: là où la machine hésite, réparties sur des actions d’aspects différents</translation>
     </message>
     <message>
         <source>Questions</source>
@@ -4091,7 +4091,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Sure from %1 on: %2</source>
-        <translation>Sûr à partir de %1 : %2</translation>
+        <translation>Sûr à partir de %1&#xa0;: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n action(s)</source>
@@ -4110,7 +4110,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1 leads to the first question; or click an action.</source>
-        <translation>%1 mène à la première question ; ou cliquez sur une action.</translation>
+        <translation>%1 mène à la première question&#xa0;; ou cliquez sur une action.</translation>
     </message>
     <message>
         <source>%1 actions chosen</source>
@@ -4138,7 +4138,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Something else: a class key</source>
-        <translation>Autre chose : une touche de classe</translation>
+        <translation>Autre chose&#xa0;: une touche de classe</translation>
     </message>
     <message>
         <source>Say what it is by a class key</source>
@@ -4160,10 +4160,6 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Il n’y a aucune action à étiqueter.</translation>
     </message>
     <message>
-        <source>Every action is labelled.</source>
-        <translation>Chaque action est étiquetée.</translation>
-    </message>
-    <message>
         <source>No question is left. Accept what rules and machine say of the rest.</source>
         <translation>Il ne reste aucune question. Acceptez ce que règles et machine disent du reste.</translation>
     </message>
@@ -4173,7 +4169,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Said: %1. This is the next question.</source>
-        <translation>Dit : %1. Voici la question suivante.</translation>
+        <translation>Dit&#xa0;: %1. Voici la question suivante.</translation>
     </message>
     <message>
         <source>That is what a hand has said already.</source>
@@ -4181,11 +4177,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>The machine proposes nothing yet: say what it is by a class key.</source>
-        <translation>La machine ne propose encore rien : dites ce que c’est par une touche de classe.</translation>
+        <translation>La machine ne propose encore rien&#xa0;: dites ce que c’est par une touche de classe.</translation>
     </message>
     <message>
         <source>There is no second best: say what it is by a class key.</source>
-        <translation>Il n’y a pas de deuxième choix : dites ce que c’est par une touche de classe.</translation>
+        <translation>Il n’y a pas de deuxième choix&#xa0;: dites ce que c’est par une touche de classe.</translation>
     </message>
     <message>
         <source>%1 has no class %2.</source>
@@ -4198,6 +4194,29 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     <message>
         <source>Accepted as soon as the machine knows how sure it is.</source>
         <translation>Accepté dès que la machine sait à quel point elle est sûre.</translation>
+    </message>
+    <message>
+        <source>Every action is labelled, all of them by hand.</source>
+        <translation>Chaque action est étiquetée, toutes à la main.</translation>
+    </message>
+    <message>
+        <source>Every action is labelled; of these the machine was least sure. Return says that it is right.</source>
+        <translation>Chaque action est étiquetée ; de celles-ci la machine était la moins sûre. Entrée confirme.</translation>
+    </message>
+    <message>
+        <source>Said: %1. Now the class beside it.</source>
+        <translation>Dit : %1. Maintenant la classe à côté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accepted: %n action(s). Ctrl+Z takes all of it back.</source>
+        <translation>
+            <numerusform>Accepté : %n action. Ctrl+Z annule le tout.</numerusform>
+            <numerusform>Accepté : %n actions. Ctrl+Z annule le tout.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accepted what rules say.</source>
+        <translation>Ce que disent les règles est accepté.</translation>
     </message>
 </context>
 <context>
@@ -4216,7 +4235,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>How well the machine knows the bout: confusion matrix and learning curve</source>
-        <translation>Ce que la machine sait du combat : matrice de confusion et courbe d’apprentissage</translation>
+        <translation>Ce que la machine sait du combat&#xa0;: matrice de confusion et courbe d’apprentissage</translation>
     </message>
     <message>
         <source>Thresholds of the rules for move and react</source>
@@ -4303,7 +4322,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>proposed: the only one seen so far</source>
-        <translation>proposé : le seul vu jusqu’ici</translation>
+        <translation>proposé&#xa0;: le seul vu jusqu’ici</translation>
     </message>
     <message>
         <source>proposed by the machine, %1</source>
@@ -4337,7 +4356,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1 labels: %2</source>
-        <translation>%1 étiquettes : %2</translation>
+        <translation>%1 étiquettes&#xa0;: %2</translation>
     </message>
     <message>
         <source>labels by hand</source>
@@ -4380,7 +4399,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Motion (*.bvh);;glTF: skeleton and animation (*.glb)</source>
-        <translation>Mouvement (*.bvh);;glTF : squelette et animation (*.glb)</translation>
+        <translation>Mouvement (*.bvh);;glTF&#xa0;: squelette et animation (*.glb)</translation>
     </message>
     <message>
         <source>Writing the motion</source>
@@ -4388,7 +4407,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Written: %1</source>
-        <translation>Écrit : %1</translation>
+        <translation>Écrit&#xa0;: %1</translation>
     </message>
     <message>
         <source>Add clips</source>
@@ -4415,7 +4434,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Split here: &amp;add a boundary</source>
-        <translation>Couper ici : &amp;ajouter une limite</translation>
+        <translation>Couper ici&#xa0;: &amp;ajouter une limite</translation>
     </message>
     <message>
         <source>Join with the action &amp;before</source>
@@ -4467,11 +4486,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>&amp;Keep: it is a boundary</source>
-        <translation>&amp;Garder : c’est une limite</translation>
+        <translation>&amp;Garder&#xa0;: c’est une limite</translation>
     </message>
     <message>
         <source>Re&amp;move: it is spurious</source>
-        <translation>Supprimer : elle est &amp;fausse</translation>
+        <translation>Supprimer&#xa0;: elle est &amp;fausse</translation>
     </message>
     <message>
         <source>De&amp;cide anew</source>
@@ -4535,7 +4554,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>&amp;Reject: the second best instead</source>
-        <translation>&amp;Rejeter : le deuxième choix à la place</translation>
+        <translation>&amp;Rejeter&#xa0;: le deuxième choix à la place</translation>
     </message>
     <message>
         <source>&amp;Take back what is said of the action</source>
@@ -4575,7 +4594,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Next class &amp;besides: a composite</source>
-        <translation>Classe su&amp;ivante en plus : un composite</translation>
+        <translation>Classe su&amp;ivante en plus&#xa0;: un composite</translation>
     </message>
     <message>
         <source>Choose the action before as well</source>
@@ -4591,7 +4610,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Label: %1</source>
-        <translation>Étiquette : %1</translation>
+        <translation>Étiquette&#xa0;: %1</translation>
     </message>
     <message>
         <source>Show pal&amp;ette and questions</source>
@@ -4871,7 +4890,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Say what a few actions are; the machine says it of the rest.</source>
-        <translation>Dire ce que sont quelques actions ; la machine le dit du reste.</translation>
+        <translation>Dire ce que sont quelques actions&#xa0;; la machine le dit du reste.</translation>
     </message>
     <message>
         <source>Graph</source>
@@ -4895,7 +4914,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>From a table of labels; of a made bout at once its truth</source>
-        <translation>D’un tableau d’étiquettes ; d’un combat fabriqué, aussitôt sa vérité</translation>
+        <translation>D’un tableau d’étiquettes&#xa0;; d’un combat fabriqué, aussitôt sa vérité</translation>
     </message>
     <message>
         <source>Bout</source>
@@ -5218,7 +5237,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>What the rows know: what the fighter does, what the opponent does, or both. What is left out is summed over.</source>
-        <translation>Ce que savent les lignes : ce que fait le combattant, ce que fait l’adversaire, ou les deux. Ce qui est omis est sommé.</translation>
+        <translation>Ce que savent les lignes&#xa0;: ce que fait le combattant, ce que fait l’adversaire, ou les deux. Ce qui est omis est sommé.</translation>
     </message>
     <message>
         <source>by count</source>
@@ -5238,7 +5257,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>By likeness rows that lead to the same labels become neighbours; a line parts the groups.</source>
-        <translation>Par ressemblance, les lignes qui mènent aux mêmes étiquettes deviennent voisines ; un trait sépare les groupes.</translation>
+        <translation>Par ressemblance, les lignes qui mènent aux mêmes étiquettes deviennent voisines&#xa0;; un trait sépare les groupes.</translation>
     </message>
     <message>
         <source>P, EQU7</source>
@@ -5262,7 +5281,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>EQU7: P(next | own) · P(next | opponent). EQU6: over pairs of label elements. EQU5: counts of whole triples. All three with a prior, so that nothing is impossible; as counted: without.</source>
-        <translation>EQU7 : P(suite | propre) · P(suite | adversaire). EQU6 : sur des paires d’éléments d’étiquette. EQU5 : comptes de triplets entiers. Les trois avec un a priori, pour que rien ne soit impossible ; tel que compté : sans.</translation>
+        <translation>EQU7&#xa0;: P(suite | propre) · P(suite | adversaire). EQU6&#xa0;: sur des paires d’éléments d’étiquette. EQU5&#xa0;: comptes de triplets entiers. Les trois avec un a priori, pour que rien ne soit impossible&#xa0;; tel que compté&#xa0;: sans.</translation>
     </message>
     <message>
         <source>side by side</source>
@@ -5278,7 +5297,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Colours over the logarithm: rare transitions become visible</source>
-        <translation>Couleurs selon le logarithme : les transitions rares deviennent visibles</translation>
+        <translation>Couleurs selon le logarithme&#xa0;: les transitions rares deviennent visibles</translation>
     </message>
     <message>
         <source>Matrix of transitions to compare with</source>
@@ -5302,7 +5321,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>difference %1</source>
@@ -5333,7 +5352,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>A row is what goes on, a column what follows. Arrows lead from cell to cell; the moments behind the chosen one are listed beside it.</source>
-        <translation>Une ligne est ce qui est en cours, une colonne ce qui suit. Les flèches mènent de cellule en cellule ; les moments derrière celle choisie sont listés à côté.</translation>
+        <translation>Une ligne est ce qui est en cours, une colonne ce qui suit. Les flèches mènent de cellule en cellule&#xa0;; les moments derrière celle choisie sont listés à côté.</translation>
     </message>
 </context>
 <context>
@@ -5418,7 +5437,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Where the %1 comes from</source>
-        <translation>D’où vient la partie : %1</translation>
+        <translation>D’où vient la partie&#xa0;: %1</translation>
     </message>
     <message>
         <source>Take a part from elsewhere</source>
@@ -5434,7 +5453,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Left: as it was found; right: through the keys&apos; poses</source>
-        <translation>Gauche : comme trouvé ; droite : par les poses des clés</translation>
+        <translation>Gauche&#xa0;: comme trouvé&#xa0;; droite&#xa0;: par les poses des clés</translation>
     </message>
     <message>
         <source>Meet keys</source>
@@ -5458,7 +5477,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Body: %1, %2 of %3 features differ, %4 cm from the keys.</source>
-        <translation>Corps : %1, %2 traits sur %3 diffèrent, à %4 cm des clés.</translation>
+        <translation>Corps&#xa0;: %1, %2 traits sur %3 diffèrent, à %4 cm des clés.</translation>
     </message>
     <message>
         <source>%1 features differ, %2 cm from the keys</source>
@@ -5497,11 +5516,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Fighter 1&apos;s graph before fighter 2&apos;s, cross edges between; drag turns</source>
-        <translation>Le graphe du combattant 1 devant celui du 2, arêtes croisées entre eux ; glisser tourne</translation>
+        <translation>Le graphe du combattant 1 devant celui du 2, arêtes croisées entre eux&#xa0;; glisser tourne</translation>
     </message>
     <message>
         <source>Also what a fighter does next given what the opponent is doing; those of what is selected show always</source>
-        <translation>Aussi ce qu’un combattant fait ensuite selon ce que fait l’adversaire ; celles de la sélection s’affichent toujours</translation>
+        <translation>Aussi ce qu’un combattant fait ensuite selon ce que fait l’adversaire&#xa0;; celles de la sélection s’affichent toujours</translation>
     </message>
     <message>
         <source>Of each side only what it does more often than the other, as wide as the difference</source>
@@ -5545,11 +5564,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1: %2   ·   %3 actions</source>
-        <translation>%1 : %2   ·   %3 actions</translation>
+        <translation>%1&#xa0;: %2   ·   %3 actions</translation>
     </message>
     <message>
         <source>%1: %2 → %3   ·   %4 %5   ·   seen %6 times</source>
-        <translation>%1 : %2 → %3   ·   %4 %5   ·   vu %6 fois</translation>
+        <translation>%1&#xa0;: %2 → %3   ·   %4 %5   ·   vu %6 fois</translation>
     </message>
     <message>
         <source>%1 on %2</source>
@@ -5572,7 +5591,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Return keeps the note, Esc leaves it as it was; no text removes it.</source>
-        <translation>Entrée garde la note, Échap la laisse telle quelle ; sans texte, elle est supprimée.</translation>
+        <translation>Entrée garde la note, Échap la laisse telle quelle&#xa0;; sans texte, elle est supprimée.</translation>
     </message>
     <message>
         <source>Note on this action</source>
@@ -5753,11 +5772,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>What is drawn: drag it in the 3D view, or give its place below</source>
-        <translation>Ce qui est tiré : tirez-la dans la vue 3D, ou donnez sa place ci-dessous</translation>
+        <translation>Ce qui est tiré&#xa0;: tirez-la dans la vue 3D, ou donnez sa place ci-dessous</translation>
     </message>
     <message>
         <source>While another handle is drawn this one stays; Ctrl and a click on it does the same</source>
-        <translation>Quand une autre poignée est tirée, celle-ci reste ; Ctrl et un clic dessus font de même</translation>
+        <translation>Quand une autre poignée est tirée, celle-ci reste&#xa0;; Ctrl et un clic dessus font de même</translation>
     </message>
     <message>
         <source>Place, %1 in metres</source>
@@ -5765,7 +5784,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1, metres; y is up</source>
-        <translation>%1, mètres ; y est le haut</translation>
+        <translation>%1, mètres&#xa0;; y est le haut</translation>
     </message>
     <message>
         <source>x y z, m</source>
@@ -6042,7 +6061,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Keep what machine and rules propose where they are at least so sure; one step of the history (Ctrl+Return)</source>
-        <translation>Garder ce que proposent machine et règles là où elles sont au moins aussi sûres ; une étape de l’historique (Ctrl+Entrée)</translation>
+        <translation>Garder ce que proposent machine et règles là où elles sont au moins aussi sûres&#xa0;; une étape de l’historique (Ctrl+Entrée)</translation>
     </message>
     <message>
         <source>Labelled by hand, accepted, open</source>
@@ -6050,7 +6069,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>How sure the machine must be of what is accepted: 0.90 is nine of ten right. Ctrl+Down and Ctrl+Up move it.</source>
-        <translation>À quel point la machine doit être sûre de ce qui est accepté : 0,90, c’est neuf justes sur dix. Ctrl+Bas et Ctrl+Haut le changent.</translation>
+        <translation>À quel point la machine doit être sûre de ce qui est accepté&#xa0;: 0,90, c’est neuf justes sur dix. Ctrl+Bas et Ctrl+Haut le changent.</translation>
     </message>
     <message>
         <source>Least probability of what is accepted</source>
@@ -6062,7 +6081,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1 actions: %2 labelled by hand (dark), %3 accepted (light), %4 open</source>
-        <translation>%1 actions : %2 étiquetées à la main (foncé), %3 acceptées (clair), %4 à décider</translation>
+        <translation>%1 actions&#xa0;: %2 étiquetées à la main (foncé), %3 acceptées (clair), %4 à décider</translation>
     </message>
     <message>
         <source>%1 labelled</source>
@@ -6085,12 +6104,8 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
         <translation>Accepter les sûres</translation>
     </message>
     <message>
-        <source>Every action has a label, but of ten that the machine gave only about %1 are right. Undo the last acceptance and answer more questions, or look through the least sure ones.</source>
-        <translation>Chaque action a une étiquette, mais sur dix données par la machine seules %1 environ sont justes. Annulez la dernière acceptation et répondez à d’autres questions, ou passez en revue les moins sûres.</translation>
-    </message>
-    <message>
         <source>Every action is labelled. File &gt; Save keeps it; Label &gt; Write labels… makes a table.</source>
-        <translation>Chaque action est étiquetée. Fichier &gt; Enregistrer les garde ; Étiquetage &gt; Écrire les étiquettes… en fait un tableau.</translation>
+        <translation>Chaque action est étiquetée. Fichier &gt; Enregistrer les garde&#xa0;; Étiquetage &gt; Écrire les étiquettes… en fait un tableau.</translation>
     </message>
     <message>
         <source>No recording is cut into actions yet.</source>
@@ -6098,11 +6113,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Label a few actions by hand; the machine proposes the others. N leads to the one that says most.</source>
-        <translation>Étiquetez quelques actions à la main ; la machine propose les autres. N mène à celle qui en dit le plus.</translation>
+        <translation>Étiquetez quelques actions à la main&#xa0;; la machine propose les autres. N mène à celle qui en dit le plus.</translation>
     </message>
     <message>
         <source>Go on: N leads to the next one that says most.</source>
-        <translation>Continuez : N mène à la prochaine qui en dit le plus.</translation>
+        <translation>Continuez&#xa0;: N mène à la prochaine qui en dit le plus.</translation>
     </message>
     <message>
         <source>What rules say is left to be accepted.</source>
@@ -6114,7 +6129,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Nothing of %1 was labelled so far: if there is any, show the machine one.</source>
-        <translation>Rien de %1 n’a été étiqueté jusqu’ici : s’il y en a, montrez-en un à la machine.</translation>
+        <translation>Rien de %1 n’a été étiqueté jusqu’ici&#xa0;: s’il y en a, montrez-en un à la machine.</translation>
     </message>
     <message>
         <source>, </source>
@@ -6123,6 +6138,21 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     <message>
         <source>The next ones are those of which the machine is least sure.</source>
         <translation>Les suivantes sont celles dont la machine est le moins sûre.</translation>
+    </message>
+    <message>
+        <source>Accept %1 guesses</source>
+        <translation>Accepter %1 suppositions</translation>
+    </message>
+    <message>
+        <source>Every action has a label, but of ten that the machine gave only about %1 are right. N leads through those of which it was least sure; or undo the acceptance and answer more questions.</source>
+        <translation>Chaque action a une étiquette, mais sur dix de la machine environ %1 seulement sont justes. N mène aux moins sûres ; ou annulez l’acceptation et répondez à d’autres questions.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minima are still suspect. Half actions are hard to label: correct them in Segment first, or go on with N.</source>
+        <translation>
+            <numerusform>%n minimum est encore suspect. Une demi-action s’étiquette mal : corrigez d’abord dans Découpage, ou continuez avec N.</numerusform>
+            <numerusform>%n minima sont encore suspects. Une demi-action s’étiquette mal : corrigez d’abord dans Découpage, ou continuez avec N.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6145,7 +6175,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Share of actions whose learnt aspects are all right. Expected: cross-validation over the hand labels as the session went. As asked and random: the hand labels are dealt into folds; one is held out, and from the others the machine learns more and more labels, in the order in which the queue asks for them and in random orders. Both are judged on the same held-out labels. What was asked for is harder than the rest, so the bout as a whole fares better.</source>
-        <translation>Part des actions dont les aspects appris sont tous justes. Attendu : validation croisée sur les étiquettes à la main, au fil de la session. Comme demandé et au hasard : les étiquettes à la main sont réparties en plis ; l’un est mis de côté, et des autres la machine apprend de plus en plus d’étiquettes, dans l’ordre où la file les demande et dans des ordres aléatoires. Les deux sont jugés sur les mêmes étiquettes mises de côté. Ce qui a été demandé est plus difficile que le reste : le combat entier s’en tire donc mieux.</translation>
+        <translation>Part des actions dont les aspects appris sont tous justes. Attendu&#xa0;: validation croisée sur les étiquettes à la main, au fil de la session. Comme demandé et au hasard&#xa0;: les étiquettes à la main sont réparties en plis&#xa0;; l’un est mis de côté, et des autres la machine apprend de plus en plus d’étiquettes, dans l’ordre où la file les demande et dans des ordres aléatoires. Les deux sont jugés sur les mêmes étiquettes mises de côté. Ce qui a été demandé est plus difficile que le reste&#xa0;: le combat entier s’en tire donc mieux.</translation>
     </message>
     <message>
         <source>Judging</source>
@@ -6200,11 +6230,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     <name>kumite::studio::Questions</name>
     <message>
         <source>%1: nobody is here to choose a file.</source>
-        <translation>%1 : personne n’est là pour choisir un fichier.</translation>
+        <translation>%1&#xa0;: personne n’est là pour choisir un fichier.</translation>
     </message>
     <message>
         <source>%1 Nobody is here to answer: %2.</source>
-        <translation>%1 Personne n’est là pour répondre : %2.</translation>
+        <translation>%1 Personne n’est là pour répondre&#xa0;: %2.</translation>
     </message>
 </context>
 <context>
@@ -6241,7 +6271,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Kumite ended unexpectedly. The edits that were not saved are kept here; recovered, they stand in the project as unsaved changes.</source>
-        <translation>Kumite s’est arrêté de façon inattendue. Les modifications non enregistrées sont gardées ici ; récupérées, elles figurent dans le projet comme modifications non enregistrées.</translation>
+        <translation>Kumite s’est arrêté de façon inattendue. Les modifications non enregistrées sont gardées ici&#xa0;; récupérées, elles figurent dans le projet comme modifications non enregistrées.</translation>
     </message>
     <message>
         <source>Projects that can be recovered</source>
@@ -6249,7 +6279,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>What was not saved; a double-click recovers it</source>
-        <translation>Ce qui n’a pas été enregistré ; un double-clic le récupère</translation>
+        <translation>Ce qui n’a pas été enregistré&#xa0;; un double-clic le récupère</translation>
     </message>
     <message>
         <source>Project</source>
@@ -6353,7 +6383,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Fighter %1: %2 of %3 roles, %4.</source>
-        <translation>Combattant %1 : %2 rôles sur %3, %4.</translation>
+        <translation>Combattant %1&#xa0;: %2 rôles sur %3, %4.</translation>
     </message>
     <message>
         <source>none</source>
@@ -6480,11 +6510,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1: no action</source>
-        <translation>%1 : aucune action</translation>
+        <translation>%1&#xa0;: aucune action</translation>
     </message>
     <message>
         <source>%1: %2 of %3 actions</source>
-        <translation>%1 : %2 actions sur %3</translation>
+        <translation>%1&#xa0;: %2 actions sur %3</translation>
     </message>
     <message>
         <source>How many actions get another label stands here while a threshold is changed.</source>
@@ -6492,15 +6522,15 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Changed: %1.</source>
-        <translation>Changé : %1.</translation>
+        <translation>Changé&#xa0;: %1.</translation>
     </message>
     <message>
         <source>React: %1</source>
-        <translation>Réaction : %1</translation>
+        <translation>Réaction&#xa0;: %1</translation>
     </message>
     <message>
         <source>Move: %1</source>
-        <translation>Déplacement : %1</translation>
+        <translation>Déplacement&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6535,7 +6565,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>It is a boundary: no suspect any more; goes on to the next</source>
-        <translation>C’est une limite : plus suspecte ; passe à la suivante</translation>
+        <translation>C’est une limite&#xa0;: plus suspecte&#xa0;; passe à la suivante</translation>
     </message>
     <message>
         <source>Restore</source>
@@ -6559,7 +6589,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>It is spurious; goes on to the next</source>
-        <translation>Elle est fausse ; passe à la suivante</translation>
+        <translation>Elle est fausse&#xa0;; passe à la suivante</translation>
     </message>
 </context>
 <context>
@@ -6574,11 +6604,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>the chosen action, %1 s; Esc: back to the sequence</source>
-        <translation>l’action choisie, %1 s ; Échap : retour à la séquence</translation>
+        <translation>l’action choisie, %1 s&#xa0;; Échap&#xa0;: retour à la séquence</translation>
     </message>
     <message>
         <source>live: 1 … 9 play blocks at once</source>
-        <translation>en direct : 1 … 9 jouent des blocs aussitôt</translation>
+        <translation>en direct&#xa0;: 1 … 9 jouent des blocs aussitôt</translation>
     </message>
     <message>
         <source> · last by %1, cost %2</source>
@@ -6617,11 +6647,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>&amp;Live: keys play blocks at once</source>
-        <translation>En direc&amp;t : les touches jouent des blocs aussitôt</translation>
+        <translation>En direc&amp;t&#xa0;: les touches jouent des blocs aussitôt</translation>
     </message>
     <message>
         <source>Live: block %1</source>
-        <translation>En direct : bloc %1</translation>
+        <translation>En direct&#xa0;: bloc %1</translation>
     </message>
     <message>
         <source>Back to the sequence</source>
@@ -6768,7 +6798,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Shows the actions in which every word appears: right kick</source>
-        <translation>Affiche les actions où figure chaque mot : pied droit</translation>
+        <translation>Affiche les actions où figure chaque mot&#xa0;: pied droit</translation>
     </message>
     <message>
         <source>Actions to choose from</source>
@@ -6788,7 +6818,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Actions of the takes, and clips of other files, in any order, led over to each other: they appear here.</source>
-        <translation>Des actions des prises, et des clips d’autres fichiers, dans n’importe quel ordre, enchaînés l’un à l’autre : ils apparaissent ici.</translation>
+        <translation>Des actions des prises, et des clips d’autres fichiers, dans n’importe quel ordre, enchaînés l’un à l’autre&#xa0;: ils apparaissent ici.</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -6873,7 +6903,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     <name>kumite::studio::Session</name>
     <message>
         <source>The edit that waited was dropped: another take is shown.</source>
-        <translation>La modification en attente a été abandonnée : une autre prise est affichée.</translation>
+        <translation>La modification en attente a été abandonnée&#xa0;: une autre prise est affichée.</translation>
     </message>
     <message>
         <source>The edit waits until the force curves are computed.</source>
@@ -6885,11 +6915,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>This is the first action: nothing comes before it.</source>
-        <translation>C’est la première action : rien ne la précède.</translation>
+        <translation>C’est la première action&#xa0;: rien ne la précède.</translation>
     </message>
     <message>
         <source>This is the last action: nothing comes after it.</source>
-        <translation>C’est la dernière action : rien ne la suit.</translation>
+        <translation>C’est la dernière action&#xa0;: rien ne la suit.</translation>
     </message>
     <message>
         <source>A removed boundary does not move. Del restores it.</source>
@@ -6904,7 +6934,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Low-pass over the centre of mass: lower gives smoother curves and fewer minima.</source>
-        <translation>Passe-bas sur le centre de masse : plus bas, les courbes sont plus lisses et les minima moins nombreux.</translation>
+        <translation>Passe-bas sur le centre de masse&#xa0;: plus bas, les courbes sont plus lisses et les minima moins nombreux.</translation>
     </message>
     <message>
         <source> Hz</source>
@@ -6948,7 +6978,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Which curve is cut at its minima: the length of the contact force or its vertical part.</source>
-        <translation>Quelle courbe est coupée à ses minima : la norme de la force de contact ou sa part verticale.</translation>
+        <translation>Quelle courbe est coupée à ses minima&#xa0;: la norme de la force de contact ou sa part verticale.</translation>
     </message>
 </context>
 <context>
@@ -6975,7 +7005,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Nearest by the numbers from which the machine learns; ⇄: its mirror image is near, and it is seen from the other side. All begin and end together.</source>
-        <translation>Les plus proches selon les nombres dont la machine apprend ; ⇄ : son image miroir est proche, et elle est vue de l’autre côté. Toutes commencent et finissent ensemble.</translation>
+        <translation>Les plus proches selon les nombres dont la machine apprend&#xa0;; ⇄&#xa0;: son image miroir est proche, et elle est vue de l’autre côté. Toutes commencent et finissent ensemble.</translation>
     </message>
     <message>
         <source>The chosen ones get the label of the first one, said by a hand, as one step of the history. A click or Space chooses, a double click or Enter goes there.</source>
@@ -6983,7 +7013,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Show both fighters: the opponent, too</source>
-        <translation>Afficher les deux combattants : aussi l’adversaire</translation>
+        <translation>Afficher les deux combattants&#xa0;: aussi l’adversaire</translation>
     </message>
     <message>
         <source>Comparing actions</source>
@@ -7022,7 +7052,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1: the picture cannot be written there.</source>
-        <translation>%1 : impossible d’y écrire la capture.</translation>
+        <translation>%1&#xa0;: impossible d’y écrire la capture.</translation>
     </message>
     <message>
         <source>3&amp;D view</source>
@@ -7094,11 +7124,11 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Measure: next joint</source>
-        <translation>Mesurer : articulation suivante</translation>
+        <translation>Mesurer&#xa0;: articulation suivante</translation>
     </message>
     <message>
         <source>Measure: joint before</source>
-        <translation>Mesurer : articulation précédente</translation>
+        <translation>Mesurer&#xa0;: articulation précédente</translation>
     </message>
     <message>
         <source>Measure from, then to this joint</source>
@@ -7118,7 +7148,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>Click two joints; or %1 and %2 lead to a joint, %3 takes it</source>
-        <translation>Cliquez sur deux articulations ; ou %1 et %2 mènent à une articulation, %3 la prend</translation>
+        <translation>Cliquez sur deux articulations&#xa0;; ou %1 et %2 mènent à une articulation, %3 la prend</translation>
     </message>
 </context>
 <context>
@@ -7164,7 +7194,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>The fighters at the playhead: a drag turns, the wheel zooms</source>
-        <translation>Les combattants à la tête de lecture : glisser tourne, la molette zoome</translation>
+        <translation>Les combattants à la tête de lecture&#xa0;: glisser tourne, la molette zoome</translation>
     </message>
     <message>
         <source>before the action</source>
@@ -7184,7 +7214,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>   ·   arrow: contact force, 0.5 m per BW</source>
-        <translation>   ·   flèche : force de contact, 0,5 m par BW</translation>
+        <translation>   ·   flèche&#xa0;: force de contact, 0,5 m par BW</translation>
     </message>
     <message>
         <source>%1 m</source>
@@ -7196,7 +7226,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 from %2 to %3</source>
@@ -7266,7 +7296,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>−log P(next | own, opponent, motion): seen how it moves, another label was likelier. Finds labels that are wrong.</source>
-        <translation>−log P(suite | propre, adversaire, mouvement) : vu comment il bouge, une autre étiquette était plus probable. Trouve les étiquettes fausses.</translation>
+        <translation>−log P(suite | propre, adversaire, mouvement)&#xa0;: vu comment il bouge, une autre étiquette était plus probable. Trouve les étiquettes fausses.</translation>
     </message>
     <message>
         <source>Label term alone</source>
@@ -7274,7 +7304,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>−log P(next | own, opponent): a label that seldom follows. Finds rare decisions.</source>
-        <translation>−log P(suite | propre, adversaire) : une étiquette qui suit rarement. Trouve les décisions rares.</translation>
+        <translation>−log P(suite | propre, adversaire)&#xa0;: une étiquette qui suit rarement. Trouve les décisions rares.</translation>
     </message>
     <message>
         <source>Geometry term alone</source>
@@ -7282,7 +7312,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>−log density of places, facing and poses under the label, from its mean: no probability. Finds odd poses and places.</source>
-        <translation>−log densité des places, orientations et poses sous l’étiquette, depuis sa moyenne : pas une probabilité. Trouve les poses et places étranges.</translation>
+        <translation>−log densité des places, orientations et poses sous l’étiquette, depuis sa moyenne&#xa0;: pas une probabilité. Trouve les poses et places étranges.</translation>
     </message>
     <message>
         <source>How unexpected each transition was to a model that had not seen it, in nats.
@@ -7319,7 +7349,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>%1, suspicion %2: %3</source>
-        <translation>%1, suspicion %2 : %3</translation>
+        <translation>%1, suspicion %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -7331,7 +7361,7 @@ Clic droit : en peindre les actions de la ligne de temps</translation>
     </message>
     <message>
         <source>How likely the minimum is spurious, learnt from what hands removed and accepted; ✓ accepted or set by hand, × removed</source>
-        <translation>À quel point le minimum est sans doute faux, appris de ce qui a été supprimé et accepté à la main ; ✓ accepté ou fixé à la main, × supprimé</translation>
+        <translation>À quel point le minimum est sans doute faux, appris de ce qui a été supprimé et accepté à la main&#xa0;; ✓ accepté ou fixé à la main, × supprimé</translation>
     </message>
     <message>
         <source>time</source>
@@ -7399,7 +7429,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source> · note: %1</source>
-        <translation> · note : %1</translation>
+        <translation> · note&#xa0;: %1</translation>
     </message>
     <message>
         <source> · removed boundary</source>
@@ -7426,11 +7456,11 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>Tour: next step</source>
-        <translation>Visite : étape suivante</translation>
+        <translation>Visite&#xa0;: étape suivante</translation>
     </message>
     <message>
         <source>Tour: step before</source>
-        <translation>Visite : étape précédente</translation>
+        <translation>Visite&#xa0;: étape précédente</translation>
     </message>
     <message>
         <source>Leave the tour</source>
@@ -7442,7 +7472,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
-        <translation>Les minima de la force découpent le combat en actions ; quelques-uns sont faux. %1 mène au plus probable et dit pourquoi. Regardez-le, %2 le lit. %3 le garde, %4 le supprime.</translation>
+        <translation>Les minima de la force découpent le combat en actions&#xa0;; quelques-uns sont faux. %1 mène au plus probable et dit pourquoi. Regardez-le, %2 le lit. %3 le garde, %4 le supprime.</translation>
     </message>
     <message>
         <source>Label an action</source>
@@ -7450,7 +7480,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>%1 leads to the action that says most; it loops. Say what it is: %2 is a left punch forward, %3 a right one; the palette shows the other keys.</source>
-        <translation>%1 mène à l’action qui en dit le plus ; elle tourne en boucle. Dites ce que c’est : %2 est un coup de poing gauche vers l’avant, %3 un droit ; la palette montre les autres touches.</translation>
+        <translation>%1 mène à l’action qui en dit le plus&#xa0;; elle tourne en boucle. Dites ce que c’est&#xa0;: %2 est un coup de poing gauche vers l’avant, %3 un droit&#xa0;; la palette montre les autres touches.</translation>
     </message>
     <message>
         <source>Let the machine say the rest</source>
@@ -7458,7 +7488,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>A machine learns from your labels. One is few: here a third of the bout can be labelled for you. Then %1 accepts all that the machine is sure of; %2 takes it back.</source>
-        <translation>Une machine apprend de vos étiquettes. Une seule, c’est peu : ici, un tiers du combat peut être étiqueté pour vous. Ensuite %1 accepte tout ce dont la machine est sûre ; %2 y revient.</translation>
+        <translation>Une machine apprend de vos étiquettes. Une seule, c’est peu&#xa0;: ici, un tiers du combat peut être étiqueté pour vous. Ensuite %1 accepte tout ce dont la machine est sûre&#xa0;; %2 y revient.</translation>
     </message>
     <message>
         <source>Label a third for me</source>
@@ -7470,7 +7500,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>A row is what goes on, a column what comes next. Click a cell: the moments behind it are listed, a click plays one. %1 leads to the most surprising moment.</source>
-        <translation>Une ligne est ce qui est en cours, une colonne ce qui vient ensuite. Cliquez sur une cellule : les moments derrière sont listés, un clic en lit un. %1 mène au moment le plus surprenant.</translation>
+        <translation>Une ligne est ce qui est en cours, une colonne ce qui vient ensuite. Cliquez sur une cellule&#xa0;: les moments derrière sont listés, un clic en lit un. %1 mène au moment le plus surprenant.</translation>
     </message>
     <message>
         <source>Let them fight on</source>
@@ -7478,7 +7508,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
-        <translation>%1 lance un combat qui n’a jamais eu lieu, fait de ce qui a été appris. Chaque choix est affiché à droite ; un clic en prend un autre. Retour avec %2, continuer autrement avec %3.</translation>
+        <translation>%1 lance un combat qui n’a jamais eu lieu, fait de ce qui a été appris. Chaque choix est affiché à droite&#xa0;; un clic en prend un autre. Retour avec %2, continuer autrement avec %3.</translation>
     </message>
 </context>
 <context>
@@ -7501,7 +7531,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>%1 of %2: %3</source>
-        <translation>%1 sur %2 : %3</translation>
+        <translation>%1 sur %2&#xa0;: %3</translation>
     </message>
     <message>
         <source>Tour, step %1</source>
@@ -7536,7 +7566,7 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>Choose a cell, a node, an edge or a row above: the moments behind it appear here, and a click plays them.</source>
-        <translation>Choisissez une cellule, un nœud, une arête ou une ligne au-dessus : les moments derrière apparaissent ici, et un clic les lit.</translation>
+        <translation>Choisissez une cellule, un nœud, une arête ou une ligne au-dessus&#xa0;: les moments derrière apparaissent ici, et un clic les lit.</translation>
     </message>
     <message>
         <source>%1. Never seen.</source>
@@ -7552,11 +7582,11 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     </message>
     <message>
         <source>%1. Never seen so; these share the own label.</source>
-        <translation>%1. Jamais vu ainsi ; ceux-ci partagent l’étiquette propre.</translation>
+        <translation>%1. Jamais vu ainsi&#xa0;; ceux-ci partagent l’étiquette propre.</translation>
     </message>
     <message>
         <source>%1. Never seen so; these share the opponent&apos;s label.</source>
-        <translation>%1. Jamais vu ainsi ; ceux-ci partagent l’étiquette de l’adversaire.</translation>
+        <translation>%1. Jamais vu ainsi&#xa0;; ceux-ci partagent l’étiquette de l’adversaire.</translation>
     </message>
 </context>
 <context>
@@ -7569,13 +7599,13 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
         <source>%1, %2: %3
 %4
 A click plays it</source>
-        <translation>%1, %2 : %3
+        <translation>%1, %2&#xa0;: %3
 %4
 Un clic le lit</translation>
     </message>
     <message>
         <source>Surprise (%1), nats: how unexpected it was to a model that had not seen it</source>
-        <translation>Surprise (%1), nats : à quel point c’était inattendu pour un modèle qui ne l’avait pas vu</translation>
+        <translation>Surprise (%1), nats&#xa0;: à quel point c’était inattendu pour un modèle qui ne l’avait pas vu</translation>
     </message>
     <message>
         <source>time</source>
@@ -7598,7 +7628,7 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>No contact force: this skeleton has no body that is known here. S adds boundaries by hand.</source>
-        <translation>Pas de force de contact : ce squelette n’a aucun corps connu ici. S ajoute des limites à la main.</translation>
+        <translation>Pas de force de contact&#xa0;: ce squelette n’a aucun corps connu ici. S ajoute des limites à la main.</translation>
     </message>
     <message>
         <source>force, BW</source>
@@ -7685,7 +7715,7 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>To %1: %2 s, %3%4</source>
-        <translation>Vers %1 : %2 s, %3%4</translation>
+        <translation>Vers %1&#xa0;: %2 s, %3%4</translation>
     </message>
     <message>
         <source>. Locked.</source>
@@ -7701,7 +7731,7 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>path %1 · cost %2 · clips: %3</source>
-        <translation>chemin %1 · coût %2 · clips : %3</translation>
+        <translation>chemin %1 · coût %2 · clips&#xa0;: %3</translation>
     </message>
     <message>
         <source>curve (Bézier)</source>
@@ -7728,7 +7758,7 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>Playback speed: - slower, + faster</source>
-        <translation>Vitesse de lecture : - plus lent, + plus vite</translation>
+        <translation>Vitesse de lecture&#xa0;: - plus lent, + plus vite</translation>
     </message>
     <message>
         <source>Rows ▾</source>
@@ -7740,19 +7770,19 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>What the timeline shows: curves, speeds, units of the ruler</source>
-        <translation>Ce que montre la ligne de temps : courbes, vitesses, unités de la graduation</translation>
+        <translation>Ce que montre la ligne de temps&#xa0;: courbes, vitesses, unités de la graduation</translation>
     </message>
     <message>
         <source>selected: boundary of %1 at %2</source>
-        <translation>choisi : limite de %1 à %2</translation>
+        <translation>choisi&#xa0;: limite de %1 à %2</translation>
     </message>
     <message>
         <source>selected: action of %1, %2 to %3</source>
-        <translation>choisi : action de %1, %2 à %3</translation>
+        <translation>choisi&#xa0;: action de %1, %2 à %3</translation>
     </message>
     <message>
         <source>active: %1</source>
-        <translation>actif : %1</translation>
+        <translation>actif&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -7802,7 +7832,7 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>States that were saved over; a double-click restores one</source>
-        <translation>États écrasés par un enregistrement ; un double-clic en restaure un</translation>
+        <translation>États écrasés par un enregistrement&#xa0;; un double-clic en restaure un</translation>
     </message>
     <message>
         <source>Saved</source>
@@ -7826,7 +7856,7 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>Make the chosen version the open project; undo takes it back (Enter)</source>
-        <translation>Faire de la version choisie le projet ouvert ; annuler y revient (Entrée)</translation>
+        <translation>Faire de la version choisie le projet ouvert&#xa0;; annuler y revient (Entrée)</translation>
     </message>
     <message>
         <source>Leave everything as it is (Esc)</source>
@@ -7842,11 +7872,11 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>No earlier version yet. Every save keeps what the file held before; the last ten are listed here.</source>
-        <translation>Pas encore de version antérieure. Chaque enregistrement garde ce que le fichier contenait avant ; les dix derniers sont listés ici.</translation>
+        <translation>Pas encore de version antérieure. Chaque enregistrement garde ce que le fichier contenait avant&#xa0;; les dix derniers sont listés ici.</translation>
     </message>
     <message>
         <source>What the project file held before each of the last saves. Restoring is an edit: undo takes it back, and the file changes only when you save.</source>
-        <translation>Ce que le fichier du projet contenait avant chacun des derniers enregistrements. Restaurer est une modification : annuler y revient, et le fichier ne change que lorsque vous enregistrez.</translation>
+        <translation>Ce que le fichier du projet contenait avant chacun des derniers enregistrements. Restaurer est une modification&#xa0;: annuler y revient, et le fichier ne change que lorsque vous enregistrez.</translation>
     </message>
     <message>
         <source>cannot be read</source>
@@ -7857,7 +7887,7 @@ Un clic le lit</translation>
     <name>kumite::studio::WelcomePage</name>
     <message>
         <source>Cut a recorded bout into actions: both fighters in 3D over the force that they exert against the ground. Its minima are the boundaries; you correct the few that are wrong. Then say what a few actions are, and the machine says it of the rest.</source>
-        <translation>Découpez un combat enregistré en actions : les deux combattants en 3D au-dessus de la force qu’ils exercent sur le sol. Ses minima sont les limites ; vous corrigez les quelques fausses. Dites ensuite ce que sont quelques actions, et la machine le dit du reste.</translation>
+        <translation>Découpez un combat enregistré en actions&#xa0;: les deux combattants en 3D au-dessus de la force qu’ils exercent sur le sol. Ses minima sont les limites&#xa0;; vous corrigez les quelques fausses. Dites ensuite ce que sont quelques actions, et la machine le dit du reste.</translation>
     </message>
     <message>
         <source>Begin</source>
@@ -7923,7 +7953,7 @@ Un clic le lit</translation>
     </message>
     <message>
         <source>What next?</source>
-        <translation>Et ensuite ?</translation>
+        <translation>Et ensuite&#xa0;?</translation>
     </message>
     <message>
         <source>What %1 may do next, the likeliest first</source>
@@ -7957,7 +7987,7 @@ Un clic le lit</translation>
     <name>kumite::studio::WhatIfModel</name>
     <message>
         <source>%1: P %2, label term %3</source>
-        <translation>%1 : P %2, terme d’étiquette %3</translation>
+        <translation>%1&#xa0;: P %2, terme d’étiquette %3</translation>
     </message>
     <message>
         <source>, geometry term %1</source>
@@ -7980,7 +8010,7 @@ C’est ce qui est venu ensuite</translation>
     <name>kumite::studio::Words</name>
     <message>
         <source>%1 %</source>
-        <translation>%1 %</translation>
+        <translation>%1&#xa0;%</translation>
     </message>
     <message>
         <source>prominence %1</source>

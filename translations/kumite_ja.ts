@@ -4159,10 +4159,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>ラベルを付ける動作がありません。</translation>
     </message>
     <message>
-        <source>Every action is labelled.</source>
-        <translation>すべての動作にラベルがあります。</translation>
-    </message>
-    <message>
         <source>No question is left. Accept what rules and machine say of the rest.</source>
         <translation>質問は残っていません。残りはルールと機械の提案を承認してください。</translation>
     </message>
@@ -4197,6 +4193,28 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>Accepted as soon as the machine knows how sure it is.</source>
         <translation>機械の確かさがわかり次第、承認します。</translation>
+    </message>
+    <message>
+        <source>Every action is labelled, all of them by hand.</source>
+        <translation>すべての動作にラベルがあります。すべて手で付けたものです。</translation>
+    </message>
+    <message>
+        <source>Every action is labelled; of these the machine was least sure. Return says that it is right.</source>
+        <translation>すべての動作にラベルがあります。機械が最も自信のないものです。正しければ Enter を押します。</translation>
+    </message>
+    <message>
+        <source>Said: %1. Now the class beside it.</source>
+        <translation>回答：%1。次に一緒に付けるクラスを選びます。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accepted: %n action(s). Ctrl+Z takes all of it back.</source>
+        <translation>
+            <numerusform>承認：%n 件の動作。Ctrl+Z でまとめて取り消せます。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accepted what rules say.</source>
+        <translation>ルールの提案を承認しました。</translation>
     </message>
 </context>
 <context>
@@ -6083,10 +6101,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>確実なものを承認</translation>
     </message>
     <message>
-        <source>Every action has a label, but of ten that the machine gave only about %1 are right. Undo the last acceptance and answer more questions, or look through the least sure ones.</source>
-        <translation>すべての動作にラベルがありますが、機械が付けたもののうち正しいのは10件中約%1件です。最後の承認を元に戻して質問にもっと答えるか、最も不確かなものを見直してください。</translation>
-    </message>
-    <message>
         <source>Every action is labelled. File &gt; Save keeps it; Label &gt; Write labels… makes a table.</source>
         <translation>すべての動作にラベルがあります。ファイル &gt; 保存 で残り、ラベル &gt; ラベルを書き出す… で表になります。</translation>
     </message>
@@ -6121,6 +6135,20 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>The next ones are those of which the machine is least sure.</source>
         <translation>次は、機械が最も不確かなものです。</translation>
+    </message>
+    <message>
+        <source>Accept %1 guesses</source>
+        <translation>推測 %1 件を承認</translation>
+    </message>
+    <message>
+        <source>Every action has a label, but of ten that the machine gave only about %1 are right. N leads through those of which it was least sure; or undo the acceptance and answer more questions.</source>
+        <translation>すべての動作にラベルがありますが、機械が付けた十件のうち正しいのは約 %1 件です。N で自信のないものから確認するか、承認を取り消してさらに質問に答えてください。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minima are still suspect. Half actions are hard to label: correct them in Segment first, or go on with N.</source>
+        <translation>
+            <numerusform>疑わしい極小が %n 個残っています。半端な動作はラベルを付けにくいので、先に分割で直すか、N で進みます。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -4159,10 +4159,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>레이블을 붙일 동작이 없습니다.</translation>
     </message>
     <message>
-        <source>Every action is labelled.</source>
-        <translation>모든 동작에 레이블이 있습니다.</translation>
-    </message>
-    <message>
         <source>No question is left. Accept what rules and machine say of the rest.</source>
         <translation>남은 질문이 없습니다. 나머지는 규칙과 학습기의 제안을 수락하세요.</translation>
     </message>
@@ -4197,6 +4193,28 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>Accepted as soon as the machine knows how sure it is.</source>
         <translation>학습기의 확신도가 계산되는 대로 수락합니다.</translation>
+    </message>
+    <message>
+        <source>Every action is labelled, all of them by hand.</source>
+        <translation>모든 동작에 레이블이 있습니다. 모두 수동입니다.</translation>
+    </message>
+    <message>
+        <source>Every action is labelled; of these the machine was least sure. Return says that it is right.</source>
+        <translation>모든 동작에 레이블이 있습니다. 학습기가 가장 확신하지 못한 것들입니다. 맞으면 Enter를 누르세요.</translation>
+    </message>
+    <message>
+        <source>Said: %1. Now the class beside it.</source>
+        <translation>답: %1. 이제 함께 붙일 클래스를 고르세요.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accepted: %n action(s). Ctrl+Z takes all of it back.</source>
+        <translation>
+            <numerusform>수락: 동작 %n개. Ctrl+Z로 한 번에 되돌립니다.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accepted what rules say.</source>
+        <translation>규칙의 제안을 수락했습니다.</translation>
     </message>
 </context>
 <context>
@@ -6083,10 +6101,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>확실한 것 수락</translation>
     </message>
     <message>
-        <source>Every action has a label, but of ten that the machine gave only about %1 are right. Undo the last acceptance and answer more questions, or look through the least sure ones.</source>
-        <translation>모든 동작에 레이블이 있지만, 학습기가 붙인 열 개 중 맞는 것은 %1개 정도입니다. 마지막 수락을 취소하고 질문에 더 답하거나 확신이 가장 낮은 것을 살펴보세요.</translation>
-    </message>
-    <message>
         <source>Every action is labelled. File &gt; Save keeps it; Label &gt; Write labels… makes a table.</source>
         <translation>모든 동작에 레이블이 있습니다. 파일 &gt; 저장으로 남기고, 레이블 &gt; 레이블 쓰기…로 표를 만듭니다.</translation>
     </message>
@@ -6121,6 +6135,20 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>The next ones are those of which the machine is least sure.</source>
         <translation>다음은 학습기의 확신이 가장 낮은 것들입니다.</translation>
+    </message>
+    <message>
+        <source>Accept %1 guesses</source>
+        <translation>추측 %1개 수락</translation>
+    </message>
+    <message>
+        <source>Every action has a label, but of ten that the machine gave only about %1 are right. N leads through those of which it was least sure; or undo the acceptance and answer more questions.</source>
+        <translation>모든 동작에 레이블이 있지만 학습기가 붙인 열 개 중 약 %1개만 맞습니다. N으로 가장 불확실한 것부터 살피거나, 수락을 취소하고 질문에 더 답하세요.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minima are still suspect. Half actions are hard to label: correct them in Segment first, or go on with N.</source>
+        <translation>
+            <numerusform>의심스러운 극소점이 %n개 남아 있습니다. 반쪽 동작은 레이블을 붙이기 어렵습니다. 먼저 분할에서 고치거나 N으로 계속하세요.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

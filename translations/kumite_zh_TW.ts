@@ -4159,10 +4159,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>沒有可標記的動作。</translation>
     </message>
     <message>
-        <source>Every action is labelled.</source>
-        <translation>所有動作都已標記。</translation>
-    </message>
-    <message>
         <source>No question is left. Accept what rules and machine say of the rest.</source>
         <translation>沒有問題了。請接受規則與機器對其餘動作的說法。</translation>
     </message>
@@ -4197,6 +4193,28 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>Accepted as soon as the machine knows how sure it is.</source>
         <translation>機器算出把握程度後就會接受。</translation>
+    </message>
+    <message>
+        <source>Every action is labelled, all of them by hand.</source>
+        <translation>每個動作都有標籤，全部是手動標記。</translation>
+    </message>
+    <message>
+        <source>Every action is labelled; of these the machine was least sure. Return says that it is right.</source>
+        <translation>每個動作都有標籤；這些是機器最沒把握的。正確時請按 Enter。</translation>
+    </message>
+    <message>
+        <source>Said: %1. Now the class beside it.</source>
+        <translation>已回答：%1。請再選並列的類別。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Accepted: %n action(s). Ctrl+Z takes all of it back.</source>
+        <translation>
+            <numerusform>已接受：%n 個動作。Ctrl+Z 可全部收回。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Accepted what rules say.</source>
+        <translation>已接受規則的建議。</translation>
     </message>
 </context>
 <context>
@@ -6083,10 +6101,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>接受有把握的</translation>
     </message>
     <message>
-        <source>Every action has a label, but of ten that the machine gave only about %1 are right. Undo the last acceptance and answer more questions, or look through the least sure ones.</source>
-        <translation>所有動作都有標籤，但機器給的十個中只有約 %1 個正確。請復原上次的接受並多回答些問題，或檢查最沒把握的。</translation>
-    </message>
-    <message>
         <source>Every action is labelled. File &gt; Save keeps it; Label &gt; Write labels… makes a table.</source>
         <translation>所有動作都已標記。「檔案 &gt; 儲存」可保存；「標記 &gt; 寫出標籤…」可製成表格。</translation>
     </message>
@@ -6121,6 +6135,20 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>The next ones are those of which the machine is least sure.</source>
         <translation>接下來是機器最沒把握的。</translation>
+    </message>
+    <message>
+        <source>Accept %1 guesses</source>
+        <translation>接受 %1 個猜測</translation>
+    </message>
+    <message>
+        <source>Every action has a label, but of ten that the machine gave only about %1 are right. N leads through those of which it was least sure; or undo the acceptance and answer more questions.</source>
+        <translation>每個動作都有標籤，但機器給的十個中約只有 %1 個正確。按 N 逐一檢視最沒把握的；或復原接受並回答更多問題。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minima are still suspect. Half actions are hard to label: correct them in Segment first, or go on with N.</source>
+        <translation>
+            <numerusform>還有 %n 個可疑的極小點。半個動作難以標記：請先到分段修正，或按 N 繼續。</numerusform>
+        </translation>
     </message>
 </context>
 <context>

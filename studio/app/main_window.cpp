@@ -7,6 +7,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPointer>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -254,7 +255,12 @@ void MainWindow::shareSpace() {
     // The timeline, and what takes its place in the workspaces of made motions.
     rows_->setSizes({height - timeline - 1, timeline, timeline, timeline, timeline});
     const int left = withTextSize(width() < 1600 ? 136 : 176);
-    const int right = withTextSize(width() < 1600 ? 240 : 272);
+    // Some languages need more words than others.
+    int right = withTextSize(width() < 1600 ? 240 : 272);
+    for (const auto* page : rightPanel_->findChildren<QScrollArea*>(Qt::FindDirectChildrenOnly)) {
+        if (page->widget() == nullptr) continue;
+        right = std::max(right, std::min(page->widget()->minimumSizeHint().width(), width() / 3));
+    }
     const int middle = width() - left - right - 2;
     columns_->setSizes({left + middle + 1, right});
     upper_->setSizes({left, middle});
@@ -265,6 +271,7 @@ void MainWindow::shareSpace() {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
+    fitTopBar();
     if (spaceShared_) return;
     QTimer::singleShot(0, this, [this] {
         if (!spaceShared_) shareSpace();

@@ -43,6 +43,7 @@ class SystemTheme;
 class TimelineView;
 class TransportBar;
 class WelcomePage;
+class WorkspaceBar;
 class Workspaces;
 
 /// The studio's window: 3D view over the timeline, takes and fighters left of the view, right of
@@ -129,6 +130,7 @@ private:
     void layOutTopBar();
     void listen();
     void shareSpace();
+    void fitTopBar();
     void restoreLayout();
     void saveLayout() const;
     void applyPreferences();
@@ -173,6 +175,7 @@ private:
     QStackedWidget* rightPanel_ = nullptr;
     QStackedWidget* centres_ = nullptr;
     Workspaces* workspaces_ = nullptr;
+    WorkspaceBar* tabs_ = nullptr;
     LabelSession* labels_ = nullptr;
     LabelExchange* exchange_ = nullptr;
     LabelReview* labelReview_ = nullptr;

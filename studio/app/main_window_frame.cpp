@@ -278,7 +278,8 @@ void MainWindow::layOutTopBar() {
     auto* row = new QHBoxLayout(bar);
     row->setContentsMargins(0, 0, 8, 0);
     row->setSpacing(8);
-    row->addWidget(new WorkspaceBar(*workspaces_, bar));
+    tabs_ = new WorkspaceBar(*workspaces_, bar);
+    row->addWidget(tabs_);
     auto* run = new QToolButton(bar);
     run->setProperty("role", "small");
     run->setFocusPolicy(Qt::TabFocus);
@@ -293,6 +294,22 @@ void MainWindow::layOutTopBar() {
     connect(run, &QToolButton::clicked, action, &QAction::trigger);
     row->addWidget(run);
     menuBar()->setCornerWidget(bar, Qt::TopRightCorner);
+    connect(workspaces_, &Workspaces::changed, this, &MainWindow::fitTopBar);
+    fitTopBar();
+}
+
+/// No menu is pushed out by the tabs.
+void MainWindow::fitTopBar() {
+    if (tabs_ == nullptr) return;
+    constexpr int kAroundMenu = 20, kRest = 90;  // the palette's button and margins
+    int menus = 0;
+    for (const QAction* menu : menuBar()->actions()) {
+        if (menu->isVisible())
+            menus += menuBar()->fontMetrics().horizontalAdvance(
+                         QString(menu->text()).remove(QLatin1Char('&'))) +
+                     kAroundMenu;
+    }
+    tabs_->setCompact(menus + tabs_->widthWithNames() + kRest > width());
 }
 
 void MainWindow::setPanelsShown(bool shown) {

@@ -23,8 +23,8 @@ constexpr int kNamesUpTo = 125;
 constexpr int kNameUpTo = 150;
 
 /// Large names leave no room for the menus: then the chosen tab alone, or none, has its name.
-Qt::ToolButtonStyle styleOf(bool chosen) {
-    const bool named = textSize() <= (chosen ? kNameUpTo : kNamesUpTo);
+Qt::ToolButtonStyle styleOf(bool chosen, bool compact) {
+    const bool named = textSize() <= (chosen ? kNameUpTo : kNamesUpTo) && (chosen || !compact);
     return named ? Qt::ToolButtonTextBesideIcon : Qt::ToolButtonIconOnly;
 }
 
@@ -92,6 +92,20 @@ WorkspaceBar::WorkspaceBar(Workspaces& workspaces, QWidget* parent)
     fill();
 }
 
+int WorkspaceBar::widthWithNames() const {
+    constexpr int kBesideName = 36;  // icon, margins and the gap to the next
+    int width = 0;
+    for (const Workspace& workspace : workspaces_.all())
+        width += fontMetrics().horizontalAdvance(workspace.name) + kBesideName;
+    return width;
+}
+
+void WorkspaceBar::setCompact(bool compact) {
+    if (compact == compact_) return;
+    compact_ = compact;
+    refresh();
+}
+
 void WorkspaceBar::refresh() {
     // Tabs that are there stay: one of them may have the focus, or be in the middle of a click.
     const auto tabs = findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly);
@@ -102,7 +116,7 @@ void WorkspaceBar::refresh() {
         QToolButton* tab = tabs[static_cast<qsizetype>(i)];
         const bool chosen = workspace.id == workspaces_.current();
         tab->setIcon(lineIcon(workspace.icon, colour));
-        tab->setToolButtonStyle(styleOf(chosen));
+        tab->setToolButtonStyle(styleOf(chosen, compact_));
         tab->setChecked(chosen);
     }
 }
@@ -139,7 +153,7 @@ void WorkspaceBar::fill() {
         button->setIcon(lineIcon(workspace.icon, c.text));
         button->setIconSize(QSize(16, 16) * textSize() / 100);
         const bool chosen = workspace.id == workspaces_.current();
-        button->setToolButtonStyle(styleOf(chosen));
+        button->setToolButtonStyle(styleOf(chosen, compact_));
         button->setCheckable(true);
         button->setChecked(chosen);
         button->setProperty("role", "workspace");

@@ -64,6 +64,11 @@ class WorkspaceBar : public QWidget {
 public:
     explicit WorkspaceBar(Workspaces& workspaces, QWidget* parent = nullptr);
 
+    /// How wide it is with all names.
+    int widthWithNames() const;
+    /// Only the workspace that is shown has its name: menus need the room.
+    void setCompact(bool compact);
+
 protected:
     void changeEvent(QEvent* event) override;
 
@@ -73,6 +78,7 @@ private:
 
     Workspaces& workspaces_;
     QHBoxLayout* row_;
+    bool compact_ = false;
 };
 
 }  // namespace kumite::studio
