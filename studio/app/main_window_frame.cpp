@@ -1,10 +1,12 @@
 // What belongs to the window as a whole: workspaces, layout, preferences and the pages beside it.
 
 #include <QAction>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
 #include <QMenuBar>
+#include <QResizeEvent>
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -310,6 +312,9 @@ void MainWindow::fitTopBar() {
                      kAroundMenu;
     }
     tabs_->setCompact(menus + tabs_->widthWithNames() + kRest > width());
+    // The menu bar gives its corner another place only when it is resized.
+    QResizeEvent again(menuBar()->size(), menuBar()->size());
+    QCoreApplication::sendEvent(menuBar(), &again);
 }
 
 void MainWindow::setPanelsShown(bool shown) {

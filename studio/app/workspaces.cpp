@@ -119,6 +119,10 @@ void WorkspaceBar::refresh() {
         tab->setToolButtonStyle(styleOf(chosen, compact_));
         tab->setChecked(chosen);
     }
+    int width = row_->spacing() * static_cast<int>(tabs.size() - 1);
+    for (const QToolButton* tab : tabs)
+        width += tab->sizeHint().width();
+    setMaximumWidth(compact_ ? width : QWIDGETSIZE_MAX);
 }
 
 void WorkspaceBar::changeEvent(QEvent* event) {
