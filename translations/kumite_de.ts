@@ -6576,10 +6576,6 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Eine von Hand gesetzte Grenze.</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum.</source>
-        <translation>%1 führt zum verdächtigsten Minimum.</translation>
-    </message>
-    <message>
         <source>No suspect is left. %1 leads through the others.</source>
         <translation>Kein Verdachtsfall ist übrig. %1 führt durch die anderen.</translation>
     </message>
@@ -6590,6 +6586,10 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     <message>
         <source>It is spurious; goes on to the next</source>
         <translation>Sie ist unecht; weiter zum nächsten</translation>
+    </message>
+    <message>
+        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
+        <translation>%1 führt zum verdächtigsten Minimum. Entfernen, wo eine Bewegung hindurchgeht; behalten, wo eine endet und eine andere beginnt.</translation>
     </message>
 </context>
 <context>

@@ -6576,10 +6576,6 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
         <translation>Une limite fixée à la main.</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum.</source>
-        <translation>%1 mène au minimum le plus suspect.</translation>
-    </message>
-    <message>
         <source>No suspect is left. %1 leads through the others.</source>
         <translation>Il ne reste aucun suspect. %1 passe aux autres.</translation>
     </message>
@@ -6590,6 +6586,10 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
     <message>
         <source>It is spurious; goes on to the next</source>
         <translation>Elle est fausse&#xa0;; passe à la suivante</translation>
+    </message>
+    <message>
+        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
+        <translation>%1 mène au minimum le plus suspect. Supprimez-le là où un mouvement continue ; gardez-le là où l’un finit et l’autre commence.</translation>
     </message>
 </context>
 <context>

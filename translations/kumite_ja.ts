@@ -6570,10 +6570,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>手動で置いた境界です。</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum.</source>
-        <translation>%1で最も疑わしい極小へ進みます。</translation>
-    </message>
-    <message>
         <source>No suspect is left. %1 leads through the others.</source>
         <translation>疑わしい極小は残っていません。%1で他へ進みます。</translation>
     </message>
@@ -6584,6 +6580,10 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>It is spurious; goes on to the next</source>
         <translation>偽の極小です。次へ進みます</translation>
+    </message>
+    <message>
+        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
+        <translation>%1 で最も疑わしい極小へ進みます。動きが続いていれば削除し、終わって次が始まる所なら残します。</translation>
     </message>
 </context>
 <context>

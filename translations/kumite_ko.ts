@@ -6570,10 +6570,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>수동으로 정한 경계입니다.</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum.</source>
-        <translation>%1을(를) 누르면 가장 의심스러운 극소점으로 갑니다.</translation>
-    </message>
-    <message>
         <source>No suspect is left. %1 leads through the others.</source>
         <translation>남은 의심점이 없습니다. %1(으)로 다른 것을 살펴봅니다.</translation>
     </message>
@@ -6584,6 +6580,10 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>It is spurious; goes on to the next</source>
         <translation>가짜입니다. 다음으로 갑니다</translation>
+    </message>
+    <message>
+        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
+        <translation>%1(으)로 가장 의심스러운 극소점으로 갑니다. 움직임이 이어지면 제거하고, 끝나고 다른 움직임이 시작되면 유지하세요.</translation>
     </message>
 </context>
 <context>

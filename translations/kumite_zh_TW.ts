@@ -6570,10 +6570,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>手動設定的邊界。</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum.</source>
-        <translation>%1 前往最可疑的極小值。</translation>
-    </message>
-    <message>
         <source>No suspect is left. %1 leads through the others.</source>
         <translation>沒有可疑點了。%1 可逐一前往其他的。</translation>
     </message>
@@ -6584,6 +6580,10 @@ Right click: paint with it over actions of the timeline</source>
     <message>
         <source>It is spurious; goes on to the next</source>
         <translation>這是假的；接著到下一個</translation>
+    </message>
+    <message>
+        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
+        <translation>%1 前往最可疑的極小點。動作持續通過之處請移除；一個結束、另一個開始之處請保留。</translation>
     </message>
 </context>
 <context>

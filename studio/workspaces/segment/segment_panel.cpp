@@ -171,10 +171,13 @@ void SegmentPanel::showSelection() {
         const bool anySuspect = model_->rowCount() > 0 && model_->suspectAt(0).isOpen() &&
                                 model_->suspectAt(0).suspicion >= kSuspect;
         const QString key = commands_ ? commands_->find("review.next")->keysText() : QString();
-        reason_->setText(mark ? tr("A boundary that a hand has set.")
-                         : anySuspect
-                             ? tr("%1 leads to the most suspicious minimum.").arg(key)
-                             : tr("No suspect is left. %1 leads through the others.").arg(key));
+        reason_->setText(
+            mark ? tr("A boundary that a hand has set.")
+            : anySuspect
+                ? tr("%1 leads to the most suspicious minimum. Remove it where one movement goes "
+                     "on through it; keep it where one ends and another begins.")
+                      .arg(key)
+                : tr("No suspect is left. %1 leads through the others.").arg(key));
     }
     filling_ = false;
 }

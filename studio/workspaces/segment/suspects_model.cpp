@@ -115,7 +115,8 @@ QVariant SuspectsModel::data(const QModelIndex& index, int role) const {
             return font;
         }
         case Qt::ForegroundRole:
-            return row.isOpen() ? c.text : c.secondText;
+            // Those that are worth a look stand out from the rest.
+            return row.isOpen() && row.suspicion >= kSuspect ? c.text : c.secondText;
         case Qt::ToolTipRole:
         case Qt::AccessibleTextRole:
             return tr("%1, %2").arg(timeText(row.seconds), toldAt(index.row()));
