@@ -145,28 +145,29 @@ bool Document::applyLive(const QString& gesture, const ProjectEdit& edit) {
     return true;
 }
 
+void Document::step(const std::function<void()>& move) {
+    const Project before = project();
+    move();
+    refresh();
+    Q_EMIT stepped(before);
+}
+
 void Document::undo() {
     if (isWaiting()) {
         waiting_.pop_back();
         Q_EMIT changed();
         return;
     }
-    if (!history_.canUndo()) return;
-    history_.undo();
-    refresh();
+    if (history_.canUndo()) step([this] { history_.undo(); });
 }
 
 void Document::redo() {
-    if (!canRedo()) return;
-    history_.redo();
-    refresh();
+    if (canRedo()) step([this] { history_.redo(); });
 }
 
-void Document::goToStep(std::size_t step) {
+void Document::goToStep(std::size_t to) {
     dropWaiting();
-    if (step == history_.position()) return;
-    history_.goTo(step);
-    refresh();
+    if (to != history_.position()) step([&] { history_.goTo(to); });
 }
 
 void Document::takeOver(Analysis analysis) {

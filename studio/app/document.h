@@ -74,7 +74,7 @@ public:
     bool canRedo() const { return !isWaiting() && history_.canRedo(); }
     void undo();
     void redo();
-    void goToStep(std::size_t step);
+    void goToStep(std::size_t to);
 
     JobRunner& jobs() { return jobs_; }
 
@@ -83,11 +83,14 @@ Q_SIGNALS:
     void opened();
     /// Project, history or saved state changed.
     void changed();
+    /// A step of the history was undone or redone; `before`: the project until then.
+    void stepped(const kumite::Project& before);
     /// The derived values changed.
     void analysisChanged();
     void failed(const QString& sentence);
 
 private:
+    void step(const std::function<void()>& move);
     bool commit(const std::function<MaybeEdit()>& edit);
     void refresh();
     void analyseNow();

@@ -94,6 +94,24 @@ TEST_F(ReviewTest, ReturnAcceptsForGoodAndBackspaceRemoves) {
     EXPECT_EQ(mark(kept)->state, MarkState::Accepted);
 }
 
+TEST_F(ReviewTest, UndoGoesBackToTheBoundary) {
+    openBout();
+    const BoundaryRef first = someBoundary(0), second = someBoundary(1);
+    session().goTo(first);
+    press(Qt::Key_Delete);
+    session().goTo(second);
+    press(Qt::Key_Delete);
+    session().select(std::nullopt);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(session().selection(), second);
+    press(Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(session().selection(), first);
+    EXPECT_TRUE(mark(first)->isLive());
+    press(Qt::Key_Y, Qt::ControlModifier);
+    EXPECT_EQ(session().selection(), first);
+    EXPECT_FALSE(mark(first)->isLive());
+}
+
 TEST_F(ReviewTest, ADecisionShowsTheNextSuspect) {
     openBout();
     // Two removals of a kind make the others of it suspect.

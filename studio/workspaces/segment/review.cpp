@@ -132,4 +132,33 @@ void reviewAgain(Session& session) {
     });
 }
 
+void selectChanged(Session& session, const Project& before) {
+    const Project& now = session.document().project();
+    const auto take = static_cast<std::size_t>(session.take());
+    if (take >= before.takes.size() || take >= now.takes.size()) return;
+    std::optional<BoundaryRef> changed;
+    for (int player = 0; player < session.playerCount(); ++player) {
+        const auto index = static_cast<std::size_t>(player);
+        if (index >= before.takes[take].fighters.size()) return;
+        const auto& was = before.takes[take].fighters[index].corrections;
+        const auto& is = now.takes[take].fighters[index].corrections;
+        const auto lookFor = [&](const auto& some, const auto& others) {
+            for (const Correction& each : some) {
+                if (std::find(others.begin(), others.end(), each) != others.end()) continue;
+                const bool moved = each.kind == Correction::Kind::Move;
+                const BoundaryRef place{player, moved && &some == &is ? each.to : each.frame};
+                if (!changed) changed = place;
+                if (changed->player != player) return false;
+            }
+            return true;
+        };
+        // What holds now says best where the boundary is.
+        if (!lookFor(is, was) || !lookFor(was, is)) return;
+    }
+    if (!changed || nearestMark(session.marks(changed->player), changed->frame, 0.5) == nullptr)
+        return;
+    session.select(changed);
+    session.reveal(session.timeOf(*changed));
+}
+
 }  // namespace kumite::studio

@@ -32,5 +32,8 @@ void acceptSuspect(Session& session);
 void rejectSuspect(Session& session);
 /// The selected minimum is to be decided anew.
 void reviewAgain(Session& session);
+/// After a step of the history: selects the boundary of the shown take that it decided otherwise,
+/// if it is one.
+void selectChanged(Session& session, const Project& before);
 
 }  // namespace kumite::studio

@@ -59,6 +59,9 @@ SegmentPanel::SegmentPanel(Session& session, QWidget* parent)
 
     connect(&session_, &Session::fightersChanged, this, &SegmentPanel::showFighters);
     connect(&session_, &Session::takeChanged, this, &SegmentPanel::showFighters);
+    connect(&session_.document(), &Document::stepped, this, [this](const Project& before) {
+        if (isVisible()) selectChanged(session_, before);
+    });
     connect(&session_, &Session::selectionChanged, this, &SegmentPanel::showSelection);
     showFighters();
 }
