@@ -26,14 +26,6 @@ double draw(std::mt19937& random) {
     return random() / 4294967296.0;
 }
 
-std::vector<int> drawnOrder(std::size_t count, std::mt19937& random) {
-    std::vector<int> order(count);
-    std::iota(order.begin(), order.end(), 0);
-    for (std::size_t i = count; i > 1; --i)
-        std::swap(order[i - 1], order[static_cast<std::size_t>(draw(random) * double(i))]);
-    return order;
-}
-
 /// Near where an example hits, in any direction.
 Vector3d drawnTarget(const StrikeSpace& space, std::mt19937& random) {
     const auto i = static_cast<std::size_t>(draw(random) * double(space.examples.size()));
@@ -90,7 +82,10 @@ class Maker {
 public:
     Maker(const MotionLibrary& library, const StrikeExamples& examples,
           const RatingSettings& settings)
-        : library_(library), examples_(examples), settings_(settings), random_(settings.seed) {}
+        : library_(library), examples_(examples), settings_(settings), random_(settings.seed) {
+        for (const Strike& each : examples_.strikes)
+            motions_.push_back(motionOfStrike(library_, each.name));
+    }
 
     RatedClips made(const Progress& progress) {
         space_ = strikeSpace(examples_, {}, progress.part(0, 0.4));
@@ -132,7 +127,7 @@ private:
             progress.update(static_cast<double>(i) / static_cast<double>(all.size()));
             const Strike& example = strike(all[i]);
             try {
-                const int motion = motionOfStrike(library_, example.name);
+                const int motion = motions_[static_cast<std::size_t>(all[i])];
                 if (motion != known) keys = keyLibrary(without(library_, motion));
                 known = motion;
                 const KeyTrack track = keysOf(example);
@@ -152,8 +147,7 @@ private:
         order.resize(std::min(order.size(), static_cast<std::size_t>(settings_.clipsPerKind)));
         // Those of one motion after each other.
         std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-            return motionOfStrike(library_, strike(a).name) <
-                   motionOfStrike(library_, strike(b).name);
+            return motions_[static_cast<std::size_t>(a)] < motions_[static_cast<std::size_t>(b)];
         });
         return order;
     }
@@ -162,11 +156,20 @@ private:
     const StrikeExamples& examples_;
     RatingSettings settings_;
     std::mt19937 random_;
+    std::vector<int> motions_;  ///< of each example
     StrikeSpace space_;
     RatedClips result_;
 };
 
 }  // namespace
+
+std::vector<int> drawnOrder(std::size_t count, std::mt19937& random) {
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    for (std::size_t i = count; i > 1; --i)
+        std::swap(order[i - 1], order[static_cast<std::size_t>(draw(random) * double(i))]);
+    return order;
+}
 
 RatedClips clipsToRate(const MotionLibrary& library, const StrikeRequest& request,
                        const RatingSettings& settings, const Progress& progress) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,8 @@ struct RatedClips {
 /// does; Cancelled.
 RatedClips clipsToRate(const MotionLibrary& library, const StrikeRequest& request,
                        const RatingSettings& settings = {}, const Progress& progress = {});
+
+/// 0 … count − 1 in a drawn order, the same on every machine.
+std::vector<int> drawnOrder(std::size_t count, std::mt19937& random);
 
 }  // namespace kumite

@@ -234,18 +234,15 @@ std::pair<double, double> wilsonInterval(int natural, int count) {
 std::string ratingPage(const std::vector<RatedClip>& clips, const std::string& title,
                        std::uint32_t seed) {
     if (clips.empty()) throw Error("There is no clip to rate.");
-    std::vector<const RatedClip*> order;
-    for (const RatedClip& clip : clips)
-        order.push_back(&clip);
     std::mt19937 random(seed);
-    for (std::size_t i = order.size(); i > 1; --i)
-        std::swap(order[i - 1], order[random() % i]);
+    const std::vector<int> order = drawnOrder(clips.size(), random);
     Json data = {{"rate", kRate}, {"bones", bonesOf(*clips.front().clip.rig)}};
     Json& list = data["clips"] = Json::array();
-    for (const RatedClip* clip : order) {
-        list.push_back({{"kind", scrambled(clip->kind)},
-                        {"name", scrambled(clip->name)},
-                        {"frames", framesOf(clip->clip)}});
+    for (const int i : order) {
+        const RatedClip& clip = clips[static_cast<std::size_t>(i)];
+        list.push_back({{"kind", scrambled(clip.kind)},
+                        {"name", scrambled(clip.name)},
+                        {"frames", framesOf(clip.clip)}});
     }
     return withTitle(kHead, escaped(title)) + data.dump() + kTail;
 }

@@ -1,6 +1,7 @@
 #include "studio/app/core_words.h"
 
 #include <QCoreApplication>
+#include <QHash>
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -191,7 +192,17 @@ QString translated(const QString& text) {
 }  // namespace
 
 QString coreWords(const std::string& text) {
-    return translated(QString::fromStdString(text));
+    const QString english = QString::fromStdString(text);
+    const QString language = languageInUse();
+    if (language == QLatin1String("en")) return english;
+    // Lists ask for the same few texts again and again, and jobs beside the window ask, too.
+    thread_local QHash<QString, QString> known;
+    thread_local QString knownIn;
+    if (knownIn != language) known.clear();
+    knownIn = language;
+    const auto found = known.constFind(english);
+    if (found != known.constEnd()) return *found;
+    return known[english] = translated(english);
 }
 
 QString vocabularyInText(const std::string& name) {

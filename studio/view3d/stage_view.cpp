@@ -85,9 +85,8 @@ void StageView::beginLive(const QObject* owner, std::array<std::vector<Bone>, 2>
     followed_.reset();
     scene_->bones = std::move(bones);
     scene_->stage.clearGhosts();
-    Q_EMIT switchesChanged();
     around_.clear();
-    showCaption();
+    Q_EMIT switchesChanged();
 }
 
 void StageView::showLive(std::array<FigurePose, 2> poses) {
@@ -110,7 +109,6 @@ void StageView::endLive(const QObject* owner) {
     bodiesChanged();
     frameAll();
     Q_EMIT switchesChanged();
-    showCaption();
 }
 
 void StageView::setLiveGhosts(const std::vector<StageGhost>& ghosts) {

@@ -19,10 +19,9 @@ LabelSession::LabelSession(Session& session, QObject* parent)
         batch_.clear();
         curve_.clear();
         chosen_.clear();
-        seen_ = session_.document().project();
-        position_ = session_.document().history().position();
     });
     connect(&document, &Document::changed, this, &LabelSession::refresh);
+    connect(&document, &Document::stepped, this, &LabelSession::followHistory);
     connect(&session_, &Session::takeChanged, this, [this] {
         chosen_.clear();
         if (isActive()) rebuild();
@@ -58,7 +57,6 @@ void LabelSession::refresh() {
     rebuild();
     aspect_ = std::clamp(aspect_, 0, std::max(0, vocabulary().size() - 1));
     Q_EMIT changed();
-    followHistory();
 }
 
 void LabelSession::rebuild() {
@@ -261,11 +259,10 @@ void LabelSession::notePoint() {
     if (labelled > 1) curve_.push_back({labelled, *learnt()->expectedAccuracy});
 }
 
-void LabelSession::followHistory() {
-    const Document& document = session_.document();
-    const Project before = std::exchange(seen_, document.project());
-    const std::size_t position = std::exchange(position_, document.history().position());
-    if (editing_ || position == position_ || before.takes.size() != seen_.takes.size()) return;
+void LabelSession::followHistory(const Project& before) {
+    const Project& now = session_.document().project();
+    if (!isActive() || !session_.document().isCurrent() || before.takes.size() != now.takes.size())
+        return;
     // Which action's label differs; of several none is meant.
     int changed = -1;
     for (std::size_t i = 0; i < actions_.size(); ++i) {
@@ -273,7 +270,7 @@ void LabelSession::followHistory() {
         const auto& fighters = before.takes[static_cast<std::size_t>(action.fighter.take)].fighters;
         if (action.fighter.player >= static_cast<int>(fighters.size())) return;
         const LabelTrack& was = *fighterAt(before, action.fighter).labels;
-        const LabelTrack& is = *fighterAt(seen_, action.fighter).labels;
+        const LabelTrack& is = *fighterAt(now, action.fighter).labels;
         if (&was == &is) continue;
         const auto at = [&](const LabelTrack& track) {
             const auto found = std::partition_point(

@@ -135,7 +135,7 @@ private:
     void rebuildQueue();
     void count();
     void notePoint();
-    void followHistory();
+    void followHistory(const Project& before);
     void followSelection();
     const std::vector<ActionLabel>* proposalsOf(FighterAddress fighter,
                                                 const std::vector<RuleReasons>** reasons) const;
@@ -158,9 +158,6 @@ private:
     std::vector<ActionRef> chosen_;  ///< beside the current action
     int aspect_ = 0;
     std::vector<ActionAnswer> painted_;
-    bool editing_ = false;      ///< the change that is signalled is our own
-    Project seen_;              ///< as the last change left it
-    std::size_t position_ = 0;  ///< in the history, then
 };
 
 }  // namespace kumite::studio

@@ -76,10 +76,7 @@ void LabelSession::setAspect(int aspect) {
 }
 
 bool LabelSession::edit(const std::function<MaybeEdit(const Project&, const Analysis&)>& function) {
-    editing_ = true;
-    const bool done = session_.document().apply(function);
-    editing_ = false;
-    return done;
+    return session_.document().apply(function);
 }
 
 bool LabelSession::answer(std::span<const int> actions,
@@ -112,12 +109,10 @@ void LabelSession::paint(int action, int aspect, int qualifier) {
         {shown.fighter, shown.index,
          answeredLabel(vocabulary(), shown.byHand(), shown.label(), aspect, qualifier)});
     Document& document = session_.document();
-    editing_ = true;
     // Labels change no derived value: the analysis is that of the project before, too.
     document.applyLive(QStringLiteral("paint labels"), [&](const Project& project) {
         return setLabels(project, document.analysis(), painted_);
     });
-    editing_ = false;
 }
 
 void LabelSession::endPainting() {

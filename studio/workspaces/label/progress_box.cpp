@@ -9,6 +9,7 @@
 
 #include <cmath>
 
+#include "core/project/review.h"
 #include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
@@ -27,16 +28,15 @@ constexpr double kGuess = 0.7;
 /// So many suspect minima are worth correcting before labelling.
 constexpr int kMany = 3;
 
-/// Minima of the shown take that nobody has judged and that are likely to be spurious.
-int countSuspects(const Session& session) {
-    int count = 0;
+/// Suspects of the shown take that nobody has judged.
+int suspectsLeft(const Session& session) {
+    const double threshold = session.document().analysis().settings.prominence;
+    int left = 0;
     for (int player = 0; player < session.playerCount(); ++player) {
-        if (session.fighter(player) == nullptr) continue;
-        for (const BoundaryMark& mark : session.marks(player)) {
-            if (mark.minimum && mark.isOpen() && mark.suspicion >= kSuspect) ++count;
-        }
+        if (const FighterAnalysis* fighter = session.fighter(player))
+            left += reviewStatistics(*fighter, threshold).toReview;
     }
-    return count;
+    return left;
 }
 
 /// By hand solid, accepted lighter, open empty.
@@ -183,14 +183,13 @@ QString ProgressBox::adviceText() const {
         return finishedText();
     }
     const int few = labels_.querySettings().batch;
-    if (const int suspects = countSuspects(labels_.session());
-        progress.byHand == 0 && suspects >= kMany) {
-        return tr(
-            "%n minima are still suspect. Half actions are hard to label: correct them in "
-            "Segment first, or go on with N.",
-            nullptr, suspects);
-    }
     if (progress.byHand == 0) {
+        if (const int suspects = suspectsLeft(labels_.session()); suspects >= kMany) {
+            return tr(
+                "%n minima are still suspect. Half actions are hard to label: correct them "
+                "in Segment first, or go on with N.",
+                nullptr, suspects);
+        }
         return tr(
             "Label a few actions by hand; the machine proposes the others. N leads to the "
             "one that says most.");
