@@ -223,6 +223,10 @@ TEST_F(LabelTest, TwoClassesAreSaidByVInAnyWay) {
     EXPECT_FALSE(review().isComposite());
     press(Qt::Key_W);
     EXPECT_EQ(said(second), "left_punch:bwd") << "without V a strike takes the place of others";
+    pressKeyOf("label.composite");
+    EXPECT_TRUE(review().isComposite());
+    pressKeyOf("label.next");
+    EXPECT_FALSE(review().isComposite()) << "it was meant for the action before";
     window_->commands().run("label.advance");
 }
 

@@ -39,6 +39,8 @@ void LabelReview::setAdvancing(bool advancing) {
 }
 
 void LabelReview::show(const ShownAction& action) {
+    // What was announced was meant for the action that was shown.
+    if (composite_) setComposite(false);
     labels_.goTo(action);
     if (!isMotionReduced()) labels_.session().transport().setPlaying(true);
     Q_EMIT shown();
