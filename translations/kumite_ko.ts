@@ -199,12 +199,1414 @@
         <source>No transition has the labels of all its three actions: label more of both fighters.</source>
         <translation>세 동작 모두에 레이블이 있는 전이가 없습니다. 두 선수에게 더 붙이세요.</translation>
     </message>
+    <message>
+        <source>cannot be read: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot read: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot write: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>cannot make this folder: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a folder, expected a file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no regular file; save it as one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a folder, expected a file to write.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is what is read here; write to another file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no such file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every motion has too few frames for %1 key poses.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no frame of %1 to write.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file holds %1 skeletons: %2. The first is read unless --root names another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found several skeletons beside it (%1), expected one (name it with --asf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1, expected %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the end of the file</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only the %1 channels that CHANNELS announces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A split by takes needs two takes or more with labelled transitions.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are too few labelled transitions to set some apart.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>For labelling, these joints take their parents&apos; place: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no aspect of the vocabulary %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no qualifier of %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names an aspect twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After %1 a confidence is expected, such as 0.6 or 60 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After %1 a confidence is expected, such as 0.6 or 60 %, not %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say whether the confidence is &quot;below %1&quot; or &quot;above %1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After %1 a time is expected, such as %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After %1 a time is expected, such as %2, not %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After %1 two times are expected, such as 0:30 to 1:00.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After %1 1 or 2 is expected.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>After %1 1 or 2 is expected, not %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no take %1; the takes are %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Say which take; the takes are %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No aspect has a &quot;strike&quot;: %1 will never find anything to react to.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key %1 stands for both %2 and %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In %1 the key %2 stands for both %3 and %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The target has no %1: their turns go to the joints below them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The source has no %1: they keep their rest relative to their parent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Against the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No joint was found for: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Joint %1 does not stand behind its parent.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The channels of joint %1 do not follow the ones before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The End Site %1 has channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The offset of joint %1 is not a finite number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame 0 is a rest pose, not motion; takes leave it out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames 0 to %1 are a rest pose, not motion; takes leave them out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fighter %1 has no boundary near frame %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fighter %1 has no boundary near frame %2; the nearest is at %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is missing; its boundaries cannot be edited.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A time offset must be a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A placement must be a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The floor&apos;s height must be a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is a take named &quot;%1&quot; already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has another skeleton: it is not the recording that is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or .eaf.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is missing; the take cannot be written without it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a graph is written as .csv, .json or .graphml.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no joint named &quot;%1&quot;; there is: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name holds bytes that are no UTF-8 text; rename the file or folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the key pose of clip &quot;%1&quot; is not in the project</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no source.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>labels are written as .csv, .json or .eaf.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>labels are read from .csv, .json and .eaf files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the project has no take &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the take has no such fighter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no action there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>its action takes the label of %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no joint has the role pelvis, so its actions cannot be compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is missing; its actions cannot be labelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no body with two legs; it is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 It is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: expected frames as A:B after the @.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: these frames are not in it; it has %2 to %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No action of the library is labelled &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No action of the library is labelled &quot;%1&quot; of that player.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of these clips is of that player.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>joint &quot;%1&quot; is gone; the role %2 has no joint now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 The recording is left out; its corrections are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is missing; put it back or relink it. Its corrections are kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording has changed since it became part of the project; check the boundaries, then relink it to accept the change.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the recording is missing; the take cannot be shown without it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no take named &quot;%1&quot;; the project has none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no take named &quot;%1&quot;; there is: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no contact force without a body; no joint has the role %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; of fighter %2 is no correction without a minimum.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; leaves no boundary that could be added.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be reached: the nearest target that can is %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What was saved before could not be kept. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds %1 frames only; the take ends there for this fighter.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>frames %1 cannot be taken from a recording of %2 frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds %1 frames now, the take begins at frame %2; the recording is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds %1 frames now; the take ends there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a cutoff of %1 Hz smooths nothing at %2 frames a second; choose one below %3 Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the annotation &quot;%1&quot; has no time and is left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no action that can be asked for; there are %2, what they strike with, and ASPECT:QUALIFIER.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a list.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected an object.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a whole number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a finite number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a number above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected true or false.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected 0 or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected [begin, end] with 0 &lt;= begin &lt; end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected an object with &quot;key_poses&quot;: 1, &quot;rate&quot; and &quot;keys&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>expected a colour like #3a86d8.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no joint role.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no joint role.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is no vocabulary: it has no &quot;vocabulary&quot; version.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is the id of two qualifiers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is the id of two aspects.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is the name of two takes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a take has one or two fighters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a vocabulary has one aspect or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an aspect has two qualifiers or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is none of the qualifiers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>there is no aspect &quot;%1&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The system&apos;s OpenSSL library cannot compute SHA-256.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A demo bout lasts from 1 second to 24 hours; %1 seconds were asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A demo bout has 24 to 240 frames a second; %1 were asked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no key pose to make a motion of.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The library holds no motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no key at frame %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 is not behind the key before.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys can be brought nearer or farther by a factor above 0 only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Keys cannot be brought that far.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key poses need a skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key poses need a rate above 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key at frame %1 is a pose of another skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The key at frame %1 comes after one at frame %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames %1:%2 are not in the take, which has %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The part comes from another skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2 are not in the source, which has %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no key pose to look for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At most 1000 key poses can be looked for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Every key pose needs its features and its frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Key poses must stand in the order of their frames, one per frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Two examples of the strike cannot be aligned in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no example of the strike to blend.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The skeleton has no %1: its roles tell nothing that could hit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Strike &quot;%1&quot; is of another skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feature poses must come in pairs, one of the query and one of the clip.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Feature poses must follow each other in time.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An AMC file does not say its frame rate: 120 Hz is assumed; give another with --rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1, the last, is cut: it is dropped.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 does not follow the one before it by number: the frames are taken one after the other.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 numbers, expected %2 for bone %3 in frame %4</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found no line for bone %1 in frame %2, expected one for each bone with a dof</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1, expected a unit of length greater than zero</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found a bone without name, expected one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found a second bone %1, expected one</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found bone %1 a second time, expected one parent for each</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found bone %1 that does not hang on the root, expected it in :hierarchy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found a skeleton without any dof, expected an order for the root</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bone %1 changes its length: that is not used.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found more joints than a skeleton can have, expected %1 at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no OFFSET: taken as 0 0 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has channels or children: read as a joint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found a second %1, expected one in joint %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found a skeleton without any channel, expected CHANNELS</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 numbers after Frame Time, expected at least one frame of %2 numbers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found more frames than can be counted, expected fewer</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A .glb file cannot hold more than 4 GB: export a shorter range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no figure to write.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A glTF skeleton cannot have more than 65 535 joints.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not valid JSON here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds a number that is too large.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A .npz file cannot hold more than 4 GB: export a shorter range.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found no skeleton beside it, expected an .asf file (name it with --asf)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found an ASF skeleton, which holds no motion, expected the .amc file that belongs to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found %1 file, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recording holds no skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>found UTF-16 text, expected plain text (save the file as UTF-8)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has a quote that is not closed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No joint has the role pelvis: actions cannot be compared.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing stands before &quot;or&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing stands after &quot;or&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Something is missing after &quot;not&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points to be aligned must come in pairs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Points to be aligned need a weight above zero.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A rate must be a positive number of frames a second.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot locking needs a frame to show.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Foot locking needs to know of every frame which feet stand.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A clip without frames cannot be joined.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clips can be joined only at one rate and on one skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A motion needs a skeleton.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A motion&apos;s frame time must be a positive number of seconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A motion&apos;s channel values do not fill its frames.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A channel value is not a finite number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A clip&apos;s rig does not have the joints of its motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A clip of %1 joints cannot be written with the %2 joints of another skeleton: retarget it first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ways are scaled by %1 for the legs&apos; lengths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 moves by up to %2 cm of its own, which is not kept: %3 carries the body.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The bone to %1 changes by up to %2 cm; its mean is kept.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No neck: the chest (%1) stands in for it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The joint names say nothing; the roles were read off the skeleton&apos;s shape. Check left and right.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This skeleton is not a human body that is known here: it is shown and measured, but the contact force needs joint roles. Name them by hand if it is one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A skeleton needs at least one joint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A skeleton&apos;s channel count does not add up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The body lies along the x axis; y was taken for up. Say which axis is up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Without legs the unit cannot be found; centimetres are assumed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The labels belong to another segmentation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The differences belong to another segmentation or vocabulary.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fighter %1 has no removed boundary near frame %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fighter %1 has another boundary at frame %2; move that one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 is not inside the take, whose last frame is %2: a boundary cannot stand there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The boundary can move between its neighbours only: frames %1 to %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The boundary at frame %1 is an end of the take, which stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take %1, player %2: its skeleton has other joints than that of the first take, so it is left out of bouts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No action of player %1 begins in frames %2 to %3 of take %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Player %1 does not attack in frames %2 to %3 of take %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Player %1 never attacks.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The cutoff must be a positive number of Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The prominence must be a number of body weights, 0 or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A take needs a name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A take has one or two fighters.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no such place in the list of takes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is one fighter only: nothing to swap.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The skeleton has no such joint.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds %2 frames, but the take reaches to frame %3: it is not the recording that is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The placement cannot be written: neither the root nor a joint right below it has all position and rotation channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A take is made of one or two recordings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The take&apos;s name holds bytes that are no UTF-8 text.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A frame rate lies between 1 and 10000 Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recordings run at %1 and %2 Hz; each keeps its own rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Take %1, player %2: no pelvis or no centre of mass is known, so its actions are left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Player %1: %2 of %3 actions have no label and are left out, with every transition that touches them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No take of two has a recording of player %1 with the skeleton of the bout: it was removed since the bout was begun.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An .eaf file holds one take: say which.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is empty.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>has no column %1; a label table needs begin_s, end_s and label.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>holds no labels: it has neither &quot;kumite_labels&quot; nor &quot;players&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no action %1; the fighter has %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The vocabulary has no aspect %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no qualifier %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The label belongs to another vocabulary.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The thresholds of the rules must be numbers, 0 or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A cross-validation has two folds or more.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A library&apos;s rate lies between %1 and %2 Hz.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The library is empty: no source holds the motion of a body.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The library has no clip &quot;%1&quot;; it has %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>None of these clips shows a hand or a foot that strikes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No strike of the %1 was found in &quot;%2&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not where the project says; the same recording was found at %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is there already: choose another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is a recording; make a project of it with kumite new.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not a Kumite project: it has no &quot;kumite&quot; version.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>was written by a newer Kumite (file version %1, this one reads up to %2); open it with that one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No motion from key poses of %1: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no clip to rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame %1 is not inside the take: a boundary cannot stand there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fighter %1 has another boundary at frame %2; forget this one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Fighter %1 has no action at frame %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The budget is a share of all actions, above 0 and at most 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Player %1 has no labelled action that follows another labelled one: label more of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The captured attack holds no action.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No take of two shows player %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The captured attack cannot be shown: its take is missing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Player %1 shows nothing but attacks outside of the captured one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No recorded moment shows both fighters labelled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only a bout with an avatar can be steered.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The library was made without an avatar&apos;s model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Player %1 never shows &quot;%2&quot; after another labelled action.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A weight is 0 (never) or a positive factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A temperature is 0 or positive.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No action of the avatar is followed by half a second of its take.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The action has no frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The threshold of pose clusters must be a positive number.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The block &quot;%1&quot; has no motion.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames %1:%2 cannot be taken from &quot;%3&quot;, which has %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The block &quot;%1&quot; has no frame.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sequence has no block.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no path in the graph between these two actions; choose a curve, or clips played backward.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There are %1 candidate paths, counted from 0: no path %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A transition needs motion on both sides.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2–%3 s, fighter %4): %5</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at least one whole frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of a frame</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a bone of the skeleton that has a dof, or the number of the frame after %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each bone once in frame %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a number for bone %1 in frame %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only %1 numbers for bone %2 in frame %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a section of an ASF file, such as :units or :bonedata</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section :root</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the section :hierarchy</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>deg or rad</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>order, axis, position or orientation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>10000 bones at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>end, behind the last line of a bone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the name of a bone of :bonedata, or end</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>an order of rotations, such as XYZ</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each degree of freedom once</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OFFSET, CHANNELS, JOINT, End Site or } in joint %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the number of channels, 0 to 6</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>each channel once in a joint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frame Time:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Frames:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a finite number with a decimal point</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no action of the opponent at that time</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>the opponent&apos;s action is no attack</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stands left</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>stands right</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>in the air</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opponent&apos;s %1, closing only %2 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>opponent&apos;s %1, closing %2 m/s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 at the beginning, %2 at the end</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>KeysSheet</name>
     <message>
         <source>Kumite: keys and mouse</source>
         <translation>Kumite: 단축키와 마우스</translation>
+    </message>
+</context>
+<context>
+    <name>Role</name>
+    <message>
+        <source>pelvis</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>spine</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation type="unfinished">가슴</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation type="unfinished">머리</translation>
+    </message>
+    <message>
+        <source>left clavicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left wrist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left hip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left knee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left ankle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>left toe</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right clavicle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right elbow</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right wrist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right hip</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right knee</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right ankle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>right toe</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ShortLabel</name>
+    <message>
+        <source>fwd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bwd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>bwdfwd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fwdbwd</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>up</source>
+        <translation type="unfinished">위로</translation>
+    </message>
+    <message>
+        <source>down</source>
+        <translation type="unfinished">아래로</translation>
+    </message>
+    <message>
+        <source>downup</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>kick</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>punch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L-L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L-R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>L-F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R-L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R-R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>R-F</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F-L</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F-R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>F-F</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

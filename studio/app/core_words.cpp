@@ -6,137 +6,64 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
+#include "studio/app/core_texts.h"
 #include "studio/app/language.h"
 
 namespace kumite::studio {
 
 namespace {
 
-/// As the core makes them; %1, %2 … stand for what is put in.
-constexpr const char* kTexts[] = {
-    QT_TRANSLATE_NOOP("Core", "Open"),
-    QT_TRANSLATE_NOOP("Core", "Recover"),
-    QT_TRANSLATE_NOOP("Core", "Take over labels"),
-    QT_TRANSLATE_NOOP("Core", "Take over labels of %1"),
-    QT_TRANSLATE_NOOP("Core", "Remove boundary %1"),
-    QT_TRANSLATE_NOOP("Core", "Restore boundary %1"),
-    QT_TRANSLATE_NOOP("Core", "Add boundary %1"),
-    QT_TRANSLATE_NOOP("Core", "Move boundary %1"),
-    QT_TRANSLATE_NOOP("Core", "Accept boundary %1"),
-    QT_TRANSLATE_NOOP("Core", "Change segmentation settings"),
-    QT_TRANSLATE_NOOP("Core", "Change body model to %1"),
-    QT_TRANSLATE_NOOP("Core", "Restore the version of %1"),
-    QT_TRANSLATE_NOOP("Core", "Add clips"),
-    QT_TRANSLATE_NOOP("Core", "Remove clips"),
-    QT_TRANSLATE_NOOP("Core", "Add take %1"),
-    QT_TRANSLATE_NOOP("Core", "Remove take %1"),
-    QT_TRANSLATE_NOOP("Core", "Rename take to %1"),
-    QT_TRANSLATE_NOOP("Core", "Move take %1 to place %2"),
-    QT_TRANSLATE_NOOP("Core", "Swap fighters"),
-    QT_TRANSLATE_NOOP("Core", "Change time offset, fighter %1"),
-    QT_TRANSLATE_NOOP("Core", "Change floor, fighter %1"),
-    QT_TRANSLATE_NOOP("Core", "Change role %1, fighter %2"),
-    QT_TRANSLATE_NOOP("Core", "Relink recording, fighter %1"),
-    QT_TRANSLATE_NOOP("Core", "Keep bout as take %1"),
-    QT_TRANSLATE_NOOP("Core", "Keep motion as take %1"),
-    QT_TRANSLATE_NOOP("Core", "Label action %1, fighter %2: %3"),
-    QT_TRANSLATE_NOOP("Core", "Label action %1, fighter %2"),
-    QT_TRANSLATE_NOOP("Core", "Label %1 actions, fighter %2: %3"),
-    QT_TRANSLATE_NOOP("Core", "Label %1 actions, fighter %2"),
-    QT_TRANSLATE_NOOP("Core", "Label %1 actions: %2"),
-    QT_TRANSLATE_NOOP("Core", "Label %1 actions"),
-    QT_TRANSLATE_NOOP("Core", "Clear label, action %1, fighter %2"),
-    QT_TRANSLATE_NOOP("Core", "Clear label, %1 actions, fighter %2"),
-    QT_TRANSLATE_NOOP("Core", "Accept labels"),
-    QT_TRANSLATE_NOOP("Core", "Import labels"),
-    QT_TRANSLATE_NOOP("Core", "Merge labels"),
-    QT_TRANSLATE_NOOP("Core", "Change vocabulary to %1"),
-    QT_TRANSLATE_NOOP("Core", "Change rules"),
-    QT_TRANSLATE_NOOP("Core", "Change learning settings"),
-    QT_TRANSLATE_NOOP("Core", "Keep model"),
-    QT_TRANSLATE_NOOP("Core", "Remove note %1"),
-    QT_TRANSLATE_NOOP("Core", "Note %1"),
-    QT_TRANSLATE_NOOP("Core", "Accept what rules say"),
-    QT_TRANSLATE_NOOP("Core", "Accept 1 label"),
-    QT_TRANSLATE_NOOP("Core", "Accept %1 labels"),
-    QT_TRANSLATE_NOOP("Core", "at %1, fighter %2"),
-    QT_TRANSLATE_NOOP("Core", "A model of two fighters needs a take with two of them."),
-    QT_TRANSLATE_NOOP("Core",
-                      "No action is labelled yet: label some by hand and let the machine do the "
-                      "rest, or import labels."),
-    QT_TRANSLATE_NOOP(
-        "Core",
-        "No transition has the labels of all its three actions: label more of both fighters."),
-};
-
-constexpr const char* kNames[] = {
-    QT_TRANSLATE_NOOP("Vocabulary", "Left punch"),
-    QT_TRANSLATE_NOOP("Vocabulary", "forward"),
-    QT_TRANSLATE_NOOP("Vocabulary", "back"),
-    QT_TRANSLATE_NOOP("Vocabulary", "back and forward"),
-    QT_TRANSLATE_NOOP("Vocabulary", "forward and back"),
-    QT_TRANSLATE_NOOP("Vocabulary", "none"),
-    QT_TRANSLATE_NOOP("Vocabulary", "Right punch"),
-    QT_TRANSLATE_NOOP("Vocabulary", "Left kick"),
-    QT_TRANSLATE_NOOP("Vocabulary", "up"),
-    QT_TRANSLATE_NOOP("Vocabulary", "down"),
-    QT_TRANSLATE_NOOP("Vocabulary", "down and up"),
-    QT_TRANSLATE_NOOP("Vocabulary", "Right kick"),
-    QT_TRANSLATE_NOOP("Vocabulary", "Jump"),
-    QT_TRANSLATE_NOOP("Vocabulary", "React"),
-    QT_TRANSLATE_NOOP("Vocabulary", "to a kick"),
-    QT_TRANSLATE_NOOP("Vocabulary", "to a punch"),
-    QT_TRANSLATE_NOOP("Vocabulary", "Move"),
-    QT_TRANSLATE_NOOP("Vocabulary", "left to left"),
-    QT_TRANSLATE_NOOP("Vocabulary", "left to right"),
-    QT_TRANSLATE_NOOP("Vocabulary", "left to flight"),
-    QT_TRANSLATE_NOOP("Vocabulary", "right to left"),
-    QT_TRANSLATE_NOOP("Vocabulary", "right to right"),
-    QT_TRANSLATE_NOOP("Vocabulary", "right to flight"),
-    QT_TRANSLATE_NOOP("Vocabulary", "flight to left"),
-    QT_TRANSLATE_NOOP("Vocabulary", "flight to right"),
-    QT_TRANSLATE_NOOP("Vocabulary", "flight to flight"),
-    QT_TRANSLATE_NOOP("Vocabulary", "nothing"),
-};
-
 struct Pattern {
-    const char* source;
+    CoreText text;
+    QString begin;  ///< what precedes the first place
     QRegularExpression expression;
     QList<int> places;  ///< which %N each group of the expression is
+    qsizetype letters;  ///< of its own
 };
 
-Pattern patternOf(const char* source) {
+Pattern patternOf(const CoreText& of) {
     static const QRegularExpression place(QStringLiteral("%(\\d)"));
-    const QString text = QString::fromUtf8(source);
-    Pattern pattern{source, {}, {}};
+    const QString text = QString::fromUtf8(of.source);
+    Pattern pattern{of, {}, {}, {}, 0};
     QString expression;
     qsizetype done = 0;
     for (auto all = place.globalMatch(text); all.hasNext();) {
         const QRegularExpressionMatch match = all.next();
         expression += QRegularExpression::escape(text.mid(done, match.capturedStart() - done));
         expression += QStringLiteral("(.+?)");
+        if (pattern.places.isEmpty()) pattern.begin = text.left(match.capturedStart());
         pattern.places.append(match.captured(1).toInt());
         done = match.capturedEnd();
     }
+    if (pattern.places.isEmpty()) pattern.begin = text;
     expression += QRegularExpression::escape(text.mid(done));
     pattern.expression.setPattern(QRegularExpression::anchoredPattern(expression));
+    pattern.letters = text.size() - 4 * pattern.places.size();
     return pattern;
 }
 
+using Patterns = std::vector<Pattern>;
+
 /// Those with most letters of their own first: they say most.
-const std::vector<Pattern>& patterns() {
-    static const std::vector<Pattern> all = [] {
-        std::vector<Pattern> made;
-        for (const char* text : kTexts)
-            made.push_back(patternOf(text));
-        std::stable_sort(made.begin(), made.end(), [](const Pattern& a, const Pattern& b) {
-            return QString::fromUtf8(a.source).size() - 2 * a.places.size() >
-                   QString::fromUtf8(b.source).size() - 2 * b.places.size();
-        });
-        return made;
-    }();
+Patterns patternsOf(std::span<const CoreText> texts) {
+    Patterns made;
+    for (const CoreText& text : texts)
+        made.push_back(patternOf(text));
+    std::stable_sort(made.begin(), made.end(),
+                     [](const Pattern& a, const Pattern& b) { return a.letters > b.letters; });
+    return made;
+}
+
+const Patterns& editPatterns() {
+    static const Patterns all = patternsOf(editTexts());
+    return all;
+}
+
+const Patterns& sentencePatterns() {
+    static const Patterns all = patternsOf(sentenceTexts());
     return all;
 }
 
@@ -145,7 +72,8 @@ QString nameWords(const QString& name) {
 }
 
 bool isName(const QString& text) {
-    return std::any_of(std::begin(kNames), std::end(kNames),
+    const auto names = vocabularyNames();
+    return std::any_of(names.begin(), names.end(),
                        [&](const char* name) { return text == QLatin1String(name); });
 }
 
@@ -154,7 +82,7 @@ QString labelWords(const QString& text) {
     if (isName(text)) return nameWords(text);
     QStringList parts;
     for (const QString& part : text.split(QStringLiteral(", "))) {
-        for (const char* name : kNames) {
+        for (const char* name : vocabularyNames()) {
             const QString aspect = QString::fromUtf8(name);
             const QString rest = part.mid(aspect.size() + 1);
             if (!part.startsWith(aspect + QLatin1Char(' '), Qt::CaseInsensitive) || !isName(rest))
@@ -166,26 +94,42 @@ QString labelWords(const QString& text) {
     return parts.isEmpty() ? text : parts.join(QStringLiteral(", "));
 }
 
-/// Whether what is put in is a text of the core's, too, and no name that a user gave.
-bool holdsTexts(const char* source) {
-    const QString text = QString::fromUtf8(source);
-    return text.startsWith(QLatin1String("Label ")) ||
-           text.contains(QLatin1String("boundary %1")) || text.contains(QLatin1String("ote %1"));
-}
+QString translated(const QString& text);
 
-QString translated(const QString& text) {
-    for (const Pattern& pattern : patterns()) {
+std::optional<QString> matched(const Patterns& patterns, const QString& text) {
+    for (const Pattern& pattern : patterns) {
+        if (!text.startsWith(pattern.begin)) continue;
         const QRegularExpressionMatch match = pattern.expression.match(text);
         if (!match.hasMatch()) continue;
-        QString words = QCoreApplication::translate("Core", pattern.source);
+        QString words = QCoreApplication::translate("Core", pattern.text.source);
         // From the last, so that what is put in is not taken for a place.
         for (qsizetype i = pattern.places.size(); i > 0; --i) {
             const QString part = match.captured(static_cast<int>(i));
             words.replace(QStringLiteral("%%1").arg(pattern.places[i - 1]),
-                          holdsTexts(pattern.source) ? translated(part) : part);
+                          pattern.text.holdsTexts
+                              ? translated(part)
+                              : matched(sentencePatterns(), part).value_or(part));
         }
         return words;
     }
+    return std::nullopt;
+}
+
+/// "bout.bvh:12:4: found …": what precedes a known sentence stays.
+std::optional<QString> matchedBehindPlace(const QString& text) {
+    static const QString colon = QStringLiteral(": ");
+    for (qsizetype at = text.indexOf(colon); at >= 0; at = text.indexOf(colon, at + 1)) {
+        const qsizetype begin = at + colon.size();
+        if (const auto words = matched(sentencePatterns(), text.mid(begin)))
+            return text.left(begin) + *words;
+    }
+    return std::nullopt;
+}
+
+QString translated(const QString& text) {
+    if (const auto words = matched(editPatterns(), text)) return *words;
+    if (const auto words = matched(sentencePatterns(), text)) return *words;
+    if (const auto words = matchedBehindPlace(text)) return *words;
     return labelWords(text);
 }
 
@@ -212,6 +156,16 @@ QString vocabularyInText(const std::string& name) {
 
 QString vocabularyWords(const std::string& name) {
     return nameWords(QString::fromStdString(name));
+}
+
+QString shortWords(const Qualifier& qualifier) {
+    return QCoreApplication::translate("ShortLabel", qualifier.id.c_str());
+}
+
+QString roleWords(Role role) {
+    std::string name(roleName(role));
+    std::replace(name.begin(), name.end(), '_', ' ');
+    return QCoreApplication::translate("Role", name.c_str());
 }
 
 }  // namespace kumite::studio

@@ -5,6 +5,8 @@
 #include <exception>
 #include <utility>
 
+#include "studio/app/core_words.h"
+
 namespace kumite::studio {
 
 namespace {
@@ -92,7 +94,7 @@ bool Document::commit(const std::function<MaybeEdit()>& edit) {
         if (!result) return false;
         history_.commit(std::move(*result));
     } catch (const std::exception& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
         return false;
     }
     refresh();
@@ -137,7 +139,7 @@ bool Document::applyLive(const QString& gesture, const ProjectEdit& edit) {
         const MaybeEdit result = edit(before);
         history_.amend(result ? *result : Edit{before, {}});
     } catch (const std::exception& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
         return false;
     }
     if (history_.position() != gestureStep_) endGesture();
@@ -182,7 +184,7 @@ void Document::analyseNow() {
     try {
         takeOver(analyse(project(), analysis_));
     } catch (const std::exception& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
     }
 }
 

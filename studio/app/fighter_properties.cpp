@@ -18,6 +18,7 @@
 #include "core/project/project_file.h"
 #include "studio/app/body_models.h"
 #include "studio/app/commands.h"
+#include "studio/app/core_words.h"
 #include "studio/app/language.h"
 #include "studio/app/opening.h"
 #include "studio/app/panel_parts.h"
@@ -35,13 +36,6 @@ QLabel* headingOf(const QString& text, QWidget* parent) {
     auto* label = headingLabel(text, parent);
     label->setContentsMargins(0, 8, 0, 0);
     return label;
-}
-
-QString roleText(Role role) {
-    QString text =
-        QString::fromUtf8(roleName(role).data(), static_cast<qsizetype>(roleName(role).size()));
-    text.replace(QLatin1Char('_'), QLatin1Char(' '));
-    return text;
 }
 
 }  // namespace
@@ -194,15 +188,15 @@ QWidget* FighterProperties::makeJoints() {
     form->addRow(jointsNote_);
     for (const Role role : allRoles()) {
         auto* field = new QComboBox(box);
-        field->setAccessibleName(tr("Joint of the role %1").arg(roleText(role)));
+        field->setAccessibleName(tr("Joint of the role %1").arg(roleWords(role)));
         field->setToolTip(
-            tr("The joint of the recording that is the %1 of the body.").arg(roleText(role)));
+            tr("The joint of the recording that is the %1 of the body.").arg(roleWords(role)));
         field->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         field->setMinimumContentsLength(18);
         field->setFocusPolicy(Qt::StrongFocus);
         field->installEventFilter(this);
         joints_[static_cast<std::size_t>(role)] = field;
-        form->addRow(roleText(role), field);
+        form->addRow(roleWords(role), field);
         connect(field, &QComboBox::activated, this,
                 [this, role](int index) { applyRole(role, index); });
     }
@@ -367,7 +361,7 @@ void FighterProperties::applyBodyModel(int index) {
         try {
             if (!path.isEmpty()) model = readBodyModel(toPath(path));
         } catch (const std::exception& error) {
-            Q_EMIT session_.document().failed(QString::fromUtf8(error.what()));
+            Q_EMIT session_.document().failed(coreWords(error.what()));
         }
     }
     session_.document().apply([&](const Project& project) { return setBodyModel(project, model); });

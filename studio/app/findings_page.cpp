@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "studio/app/core_words.h"
 #include "studio/app/icons.h"
 #include "studio/app/panel_parts.h"
 #include "studio/app/theme.h"
@@ -83,7 +84,7 @@ void FindingsPage::fill() {
                                        warning ? amber : c.secondText, 16, devicePixelRatioF()));
             icon->setAccessibleName(warning ? tr("Warning") : tr("Remark"));
             box->addWidget(icon, 0, Qt::AlignTop);
-            auto* text = new QLabel(QString::fromStdString(finding.text), row);
+            auto* text = new QLabel(coreWords(finding.text), row);
             text->setWordWrap(true);
             text->setTextFormat(Qt::PlainText);
             text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include "studio/app/core_words.h"
 #include "studio/app/icons.h"
 #include "studio/app/theme.h"
 
@@ -69,7 +70,7 @@ void MessageStrip::showFindings(const QString& about, const Findings& findings) 
     QStringList warnings;
     QStringList all;
     for (const Finding& finding : findings) {
-        const QString text = QString::fromStdString(finding.text);
+        const QString text = coreWords(finding.text);
         if (finding.severity == Severity::Warning) warnings.append(text);
         all.append(text);
     }

@@ -13,6 +13,7 @@
 
 #include "core/base/files.h"
 #include "core/project/project_file.h"
+#include "studio/app/core_words.h"
 #include "studio/app/opening.h"
 #include "studio/app/session.h"
 
@@ -107,7 +108,7 @@ void Recovery::projectChanged() {
                             Outlives::Program);
         reported_ = false;
     } catch (const std::exception& error) {
-        report(QString::fromUtf8(error.what()));
+        report(coreWords(error.what()));
         return;  // the work goes on; the next edit tries again
     }
     copied_ = document.project();

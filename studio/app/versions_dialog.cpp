@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "studio/app/core_words.h"
 #include "studio/app/opening.h"
 #include "studio/app/words.h"
 
@@ -91,7 +92,7 @@ void VersionsDialog::fill(std::vector<KeptVersion> versions) {
         if (version.problem.empty()) continue;
         row->setText(1, tr("cannot be read"));
         row->setText(2, {});
-        row->setToolTip(1, QString::fromStdString(version.problem));
+        row->setToolTip(1, coreWords(version.problem));
     }
     list_->setColumnWidth(0, 220);
     list_->setColumnWidth(1, 110);

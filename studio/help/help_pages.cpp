@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <optional>
 #include <sstream>
 
 #include "core/cli/run.h"
 #include "studio/app/commands.h"
+#include "studio/app/language.h"
 
 namespace kumite::studio {
 
@@ -99,23 +102,53 @@ QString commandLine() {
     return all;
 }
 
-HelpPage readPage(const QString& id) {
-    QFile file(QStringLiteral(":/help/%1.md").arg(id));
-    if (!file.open(QIODevice::ReadOnly)) qFatal("no page of help %s", qPrintable(id));
-    const QString source = QString::fromUtf8(file.readAll());
+/// What a heading is linked to by: "Expected accuracy" by "expected-accuracy".
+QString anchorOf(const QString& heading) {
+    QString anchor;
+    for (const QChar& c : heading.trimmed().toLower()) {
+        if (c.isLetterOrNumber() || c == QLatin1Char('-') || c == QLatin1Char('_')) anchor += c;
+        if (c.isSpace()) anchor += QLatin1Char('-');
+    }
+    return anchor;
+}
+
+QStringList anchorsOf(const QString& source) {
+    QStringList anchors;
+    for (const QString& line : source.split(QLatin1Char('\n'))) {
+        if (line.startsWith(QLatin1Char('#')))
+            anchors.append(anchorOf(line.mid(line.indexOf(QLatin1Char(' ')))));
+    }
+    return anchors;
+}
+
+std::optional<QString> sourceOf(const QString& path) {
+    QFile file(QStringLiteral(":/help/%1.md").arg(path));
+    if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+    return QString::fromUtf8(file.readAll());
+}
+
+HelpPage readPage(const QString& id, const QString& language) {
+    const std::optional<QString> english = sourceOf(id);
+    if (!english) qFatal("no page of help %s", qPrintable(id));
+    const QString source = sourceOf(language + QLatin1Char('/') + id).value_or(*english);
     const QString first = source.section(QLatin1Char('\n'), 0, 0);
-    return {id, first.mid(first.indexOf(QLatin1Char(' ')) + 1).trimmed(), source};
+    return {id, first.mid(first.indexOf(QLatin1Char(' ')) + 1).trimmed(), source,
+            anchorsOf(*english)};
 }
 
 }  // namespace
 
+int HelpPage::headingOf(const QString& anchor) const {
+    return static_cast<int>(anchors.indexOf(anchor));
+}
+
 const std::vector<HelpPage>& helpPages() {
-    static const std::vector<HelpPage> pages = [] {
-        std::vector<HelpPage> read;
+    static std::map<QString, std::vector<HelpPage>> byLanguage;
+    std::vector<HelpPage>& pages = byLanguage[languageInUse()];
+    if (pages.empty()) {
         for (const char* id : kPages)
-            read.push_back(readPage(QLatin1String(id)));
-        return read;
-    }();
+            pages.push_back(readPage(QLatin1String(id), languageInUse()));
+    }
     return pages;
 }
 
@@ -154,24 +187,6 @@ QStringList commandTables(const HelpPage& page) {
     for (auto each = tablePattern().globalMatch(page.source); each.hasNext();)
         tables.append(each.next().captured(1));
     return tables;
-}
-
-QString anchorOf(const QString& heading) {
-    QString anchor;
-    for (const QChar& c : heading.trimmed().toLower()) {
-        if (c.isLetterOrNumber() || c == QLatin1Char('-') || c == QLatin1Char('_')) anchor += c;
-        if (c.isSpace()) anchor += QLatin1Char('-');
-    }
-    return anchor;
-}
-
-QStringList anchorsOf(const HelpPage& page) {
-    QStringList anchors;
-    for (const QString& line : page.source.split(QLatin1Char('\n'))) {
-        if (line.startsWith(QLatin1Char('#')))
-            anchors.append(anchorOf(line.mid(line.indexOf(QLatin1Char(' ')))));
-    }
-    return anchors;
 }
 
 }  // namespace kumite::studio

@@ -12,7 +12,6 @@
 #include <algorithm>
 
 #include "studio/app/theme.h"
-#include "studio/help/help_pages.h"
 
 namespace kumite::studio {
 
@@ -96,19 +95,19 @@ HelpView::HelpView(QWidget* parent) : QTextBrowser(parent) {
     setTextInteractionFlags(Qt::TextBrowserInteraction | Qt::TextSelectableByKeyboard);
 }
 
-void HelpView::showText(const QString& markdown, const QString& anchor) {
+void HelpView::showText(const QString& markdown, int heading) {
     marks_.clear();
     current_ = -1;
     setExtraSelections({});
     document()->setMarkdown(markdown, QTextDocument::MarkdownDialectGitHub);
     dress();
     if (!words_.isEmpty()) mark(words_);
-    if (anchor.isEmpty() && !words_.isEmpty()) return;
+    if (heading < 0 && !words_.isEmpty()) return;
     setTextCursor(QTextCursor(document()));
     verticalScrollBar()->setValue(0);
-    goToAnchor(anchor);
+    goToHeading(heading);
     // Before it is shown for the first time nobody knows how wide it will be.
-    QTimer::singleShot(0, this, [this, anchor] { goToAnchor(anchor); });
+    QTimer::singleShot(0, this, [this, heading] { goToHeading(heading); });
 }
 
 void HelpView::dress() {
@@ -136,17 +135,16 @@ void HelpView::dress() {
     document()->clearUndoRedoStacks();
 }
 
-bool HelpView::goToAnchor(const QString& anchor) {
-    if (anchor.isEmpty()) return false;
+void HelpView::goToHeading(int heading) {
+    if (heading < 0) return;
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
-        if (block.blockFormat().headingLevel() == 0 || anchorOf(block.text()) != anchor) continue;
+        if (block.blockFormat().headingLevel() == 0 || heading-- > 0) continue;
         const QRectF place = document()->documentLayout()->blockBoundingRect(block);
         setTextCursor(QTextCursor(block));
         // Whatever the cursor did: the heading stands at the top.
         verticalScrollBar()->setValue(static_cast<int>(place.top()) - 8);
-        return true;
+        return;
     }
-    return false;
 }
 
 void HelpView::mark(const QStringList& words) {

@@ -13,10 +13,8 @@ class HelpView : public QTextBrowser {
 public:
     explicit HelpView(QWidget* parent = nullptr);
 
-    /// Shows Markdown, from its beginning or from the heading with that anchor.
-    void showText(const QString& markdown, const QString& anchor);
-    /// Whether there was such a heading.
-    bool goToAnchor(const QString& anchor);
+    /// Shows Markdown, from its beginning (-1) or from one of its headings, counted from 0.
+    void showText(const QString& markdown, int heading);
 
     /// Marks every place of every one of the words and shows the first.
     void mark(const QStringList& words);
@@ -31,6 +29,7 @@ protected:
 
 private:
     void dress();
+    void goToHeading(int heading);
     void paintMarks();
 
     QStringList words_;

@@ -182,7 +182,7 @@ void HelpWindow::showPage(const QString& place) {
 
 void HelpWindow::open(const QString& page, const QString& anchor) {
     page_ = page;
-    view_->showText(shownText(*helpPage(page), commands_), anchor);
+    view_->showText(shownText(*helpPage(page), commands_), helpPage(page)->headingOf(anchor));
     const QSignalBlocker quiet(contents_);
     contents_->setCurrentItem(nullptr);
     for (int row = 0; row < contents_->count(); ++row) {

@@ -55,14 +55,14 @@ QStringList placesOf(const Topics& topics) {
 /// The lines from the heading of a place to the next one.
 QStringList sectionOf(const QString& place) {
     const HelpPage* page = helpPage(place.section(QLatin1Char('#'), 0, 0));
-    const QString anchor = place.section(QLatin1Char('#'), 1);
     QStringList section;
     if (page == nullptr) return section;
+    int before = page->headingOf(place.section(QLatin1Char('#'), 1));
     for (const QString& line : page->source.split(QLatin1Char('\n'))) {
         const bool heading = line.startsWith(QLatin1Char('#'));
         if (heading && !section.isEmpty()) break;
         const QString text = line.mid(line.indexOf(QLatin1Char(' ')) + 1);
-        if (!section.isEmpty() || (heading && anchorOf(text) == anchor))
+        if (!section.isEmpty() || (heading && before-- == 0))
             section.append(heading ? text : line);
     }
     return section;

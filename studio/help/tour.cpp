@@ -11,6 +11,7 @@
 #include "core/project/label_files.h"
 #include "core/project/labels.h"
 #include "studio/app/commands.h"
+#include "studio/app/core_words.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/main_window.h"
 #include "studio/app/message_strip.h"
@@ -281,7 +282,7 @@ void Tour::labelSome() {
                 return edit;
             }));
     } catch (const std::exception& error) {
-        window_.messages().showError(QString::fromUtf8(error.what()));
+        window_.messages().showError(coreWords(error.what()));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "core/base/error.h"
+#include "studio/app/core_words.h"
 
 namespace kumite::studio {
 
@@ -51,7 +52,7 @@ void JobRunner::launch(const QString& title, std::function<Delivery(const Progre
         } catch (const std::bad_alloc&) {
             error = tr("There is not enough memory for this.");
         } catch (const std::exception& exception) {
-            error = QString::fromUtf8(exception.what());
+            error = coreWords(exception.what());
         }
         QMetaObject::invokeMethod(
             this, [this, number, delivery, error] { deliver(number, delivery, error); },

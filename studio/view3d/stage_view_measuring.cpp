@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "studio/app/session.h"
+#include "studio/app/core_words.h"
 #include "studio/app/words.h"
 #include "studio/view3d/stage_scene.h"
 
@@ -86,12 +87,10 @@ QString StageView::jointText(const JointRef& joint, bool withSpeed) const {
     const FighterAnalysis* fighter = session_.fighter(joint.player);
     if (fighter == nullptr || joint.joint >= fighter->motion->positions.jointCount) return {};
     const auto& joints = fighter->input.motion->skeleton->joints;
-    QString text = QString::fromStdString(joints[static_cast<std::size_t>(joint.joint)].name);
-    if (const auto role = roleOf(*fighter, joint.joint)) {
-        const std::string_view name = roleName(*role);
-        text = QString::fromLatin1(name.data(), qsizetype(name.size()))
-                   .replace(QLatin1Char('_'), QLatin1Char(' '));
-    }
+    const auto role = roleOf(*fighter, joint.joint);
+    const QString text =
+        role ? roleWords(*role)
+             : QString::fromStdString(joints[static_cast<std::size_t>(joint.joint)].name);
     if (!withSpeed) return text;
     const float speed = jointSpeed(fighter->motion->positions, joint.joint,
                                    session_.shownFrame(joint.player), fighter->input.rate);

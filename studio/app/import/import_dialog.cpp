@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "core/base/text.h"
+#include "studio/app/core_words.h"
 #include "studio/app/import/import_preview.h"
 #include "studio/app/import/role_table.h"
 #include "studio/app/questions.h"
@@ -260,7 +261,7 @@ void ImportDialog::look() {
         const auto found = recordings_.find(key);
         if (found == recordings_.end()) return;
         if (!found->second.recording) {
-            showProblem(QString::fromStdString(found->second.error));
+            showProblem(coreWords(found->second.error));
             return;
         }
     }
@@ -290,7 +291,7 @@ void ImportDialog::showLook(std::shared_ptr<const ImportLook> look) {
     for (const Severity severity : {Severity::Warning, Severity::Note}) {
         for (const Finding& finding : look_->imported.findings) {
             if (finding.severity != severity) continue;
-            const QString text = QString::fromStdString(finding.text).toHtmlEscaped();
+            const QString text = coreWords(finding.text).toHtmlEscaped();
             lines.append(severity == Severity::Warning
                              ? tr("<b>Check:</b> %1").arg(text)
                              : QStringLiteral("<span style='color:%1'>%2</span>")

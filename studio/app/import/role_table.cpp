@@ -8,16 +8,12 @@
 
 #include <algorithm>
 
+#include "studio/app/core_words.h"
 #include "studio/app/words.h"
 
 namespace kumite::studio {
 
 namespace {
-
-QString roleText(Role role) {
-    return QString::fromLatin1(roleName(role).data(), static_cast<qsizetype>(roleName(role).size()))
-        .replace(QLatin1Char('_'), QLatin1Char(' '));
-}
 
 /// Many good skeletons lack them, and nothing needs them.
 bool isDispensable(Role role) {
@@ -51,7 +47,7 @@ RoleTable::RoleTable(QWidget* parent)
     table_->setHorizontalHeaderLabels({tr("fighter 1"), tr("fighter 2")});
     QStringList names;
     for (const Role role : allRoles())
-        names.append(roleText(role));
+        names.append(roleWords(role));
     table_->setVerticalHeaderLabels(names);
 }
 
@@ -81,7 +77,7 @@ void RoleTable::fillColumn(int player, const Fighter& fighter) {
         auto* box = qobject_cast<QComboBox*>(table_->cellWidget(row, player));
         if (box == nullptr) {
             box = new QComboBox(table_);
-            box->setAccessibleName(tr("%1 of %2").arg(roleText(role), fighterText(player)));
+            box->setAccessibleName(tr("%1 of %2").arg(roleWords(role), fighterText(player)));
             // The wheel scrolls the table; it must not change a joint on the way.
             box->setFocusPolicy(Qt::StrongFocus);
             connect(box, &QComboBox::activated, this, [this, player, role, box](int index) {

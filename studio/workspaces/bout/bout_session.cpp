@@ -200,7 +200,7 @@ bool BoutSession::attempt(const std::function<void()>& act) {
         return true;
     } catch (const std::exception& error) {
         setPlaying(false);
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
         return false;
     }
 }

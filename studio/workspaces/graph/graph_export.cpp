@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "core/project/graph_export.h"
+#include "studio/app/core_words.h"
 #include "studio/view3d/graph_view.h"
 #include "studio/workspaces/graph/graph_centre.h"
 #include "studio/workspaces/graph/matrix_page.h"
@@ -67,7 +68,7 @@ QString exportGraph(GraphCentre& centre, const GraphSession& graph, const QStrin
             writeGraph(graph.values()->interaction, path.toStdString());
             written = true;
         } catch (const std::exception& error) {
-            return QString::fromUtf8(error.what());
+            return coreWords(error.what());
         }
     } else {
         return GraphExport::tr("%1: the name must end in .csv, .json, .graphml, .png or .svg.")

@@ -103,8 +103,7 @@ QString shortLabelWords(const Vocabulary& vocabulary, const Label& label) {
         const Aspect& aspect = vocabulary[a];
         const int qualifier = label[static_cast<std::size_t>(a)];
         if (qualifier == kUnknown || aspect.fallback == qualifier) continue;
-        const QString id =
-            QString::fromStdString(aspect.qualifiers[static_cast<std::size_t>(qualifier)].id);
+        const QString id = shortWords(aspect.qualifiers[static_cast<std::size_t>(qualifier)]);
         // What has no "none" is said in every label: its name would only make them long.
         if (!aspect.fallback) {
             words.append(id);

@@ -8,6 +8,7 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "studio/app/core_words.h"
 #include "studio/app/panel_parts.h"
 #include "studio/workspaces/keyframe/hit_session.h"
 
@@ -42,9 +43,7 @@ HitBox::HitBox(HitSession& hit, QWidget* parent)
     form->addRow(tr("Strike"), strike_);
     aim_->addItem(tr("a place"), -1);
     for (const Role role : HitSession::aims())
-        aim_->addItem(QString::fromStdString(std::string(roleName(role)))
-                          .replace(QLatin1Char('_'), QLatin1Char(' ')),
-                      static_cast<int>(role));
+        aim_->addItem(roleWords(role), static_cast<int>(role));
     aim_->setAccessibleName(tr("Aim at"));
     aim_->setToolTip(
         tr("A place in space, or the opponent as the recording's playhead shows it; "

@@ -8,6 +8,7 @@
 #include "core/editing/pose_handles.h"
 #include "core/motion/blend.h"
 #include "core/project/library_strikes.h"
+#include "studio/app/core_words.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
@@ -82,7 +83,7 @@ void HitSession::readDraft() {
         draft_ = hitDraftOf(keys_.session().document().project());
     } catch (const std::exception& error) {
         draft_ = {};
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
     }
     opponent_ = opponentOf(draft_);
     const bool isKnown =
@@ -205,7 +206,7 @@ void HitSession::prepare() {
             } catch (const Cancelled&) {
                 throw;
             } catch (const std::exception& error) {
-                result.problem = QString::fromUtf8(error.what());
+                result.problem = coreWords(error.what());
             }
             return result;
         },
@@ -262,7 +263,7 @@ void HitSession::solve() {
         motion_ = hitTarget(ready_->space, target_);
         seconds_ = motion_->hit / motion_->clip.rate;
     } catch (const std::exception& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
     }
 }
 

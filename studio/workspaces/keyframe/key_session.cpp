@@ -123,7 +123,7 @@ void KeySession::readDraft() {
         draft_ = {};
         draft_.track.rig = motions()->rig;
         draft_.track.rate = kRate;
-        problem_ = QString::fromUtf8(error.what());
+        problem_ = coreWords(error.what());
     }
     dragged_.reset();
     if (key_ && !draft_.track.find(*key_)) key_.reset();
@@ -200,7 +200,7 @@ void KeySession::make() {
             } catch (const Cancelled&) {
                 throw;
             } catch (const std::exception& error) {
-                made.problem = QString::fromUtf8(error.what());
+                made.problem = coreWords(error.what());
             }
             return made;
         },

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "core/motion/blend.h"
+#include "studio/app/core_words.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
@@ -24,7 +25,7 @@ bool KeySession::attempt(const std::function<void()>& act) {
         act();
         return true;
     } catch (const std::exception& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
         return false;
     }
 }
@@ -204,8 +205,7 @@ QString KeySession::jointName(int joint) const {
     const Rig& rig = *draft_.track.rig;
     for (const Role role : allRoles()) {
         if (rig.roles[role] == joint)
-            return QString::fromStdString(std::string(roleName(role)))
-                .replace(QLatin1Char('_'), QLatin1Char(' '));
+            return roleWords(role);
     }
     return QString::fromStdString(rig.joint(joint).name);
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/core_words.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/keyframe/key_session.h"
 #include "studio/workspaces/keyframe/library_tile.h"
@@ -165,7 +166,7 @@ void PartDialog::edit() {
                            .arg(timeText(edit.frames.size() / library_->rate, 0.01),
                                 timeText(take.seconds(), 0.01), partText(edit.part)));
     } catch (const std::exception& error) {
-        text_->setText(QString::fromUtf8(error.what()));
+        text_->setText(coreWords(error.what()));
     }
     views_->show(std::move(tiles));
     keep_->setEnabled(result_ != nullptr);

@@ -12,6 +12,7 @@
 
 #include "core/base/error.h"
 #include "core/project/label_search.h"
+#include "studio/app/core_words.h"
 #include "studio/workspaces/label/found_list.h"
 #include "studio/workspaces/label/label_session.h"
 #include "studio/workspaces/label/label_words.h"
@@ -144,7 +145,7 @@ void FindBox::find() {
                         ? tr("The actions of the bout appear here once a recording is cut.")
                         : tr("No action is like that."));
     } catch (const Error& error) {
-        understood_->setText(QStringLiteral("⚠ ") + QString::fromUtf8(error.what()));
+        understood_->setText(QStringLiteral("⚠ ") + coreWords(error.what()));
         all_->setText(tr("Choose all"));
         all_->setEnabled(false);
         list_->show({}, {});

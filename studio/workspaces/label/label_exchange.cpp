@@ -10,6 +10,7 @@
 #include "core/base/files.h"
 #include "core/project/labels.h"
 #include "core/project/vocabulary_change.h"
+#include "studio/app/core_words.h"
 #include "studio/app/folders.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/questions.h"
@@ -151,7 +152,7 @@ void LabelExchange::exportTo(const QString& path) {
             writeLabels(document.project(), document.analysis(), take, pathOf(path));
             Q_EMIT session_.hinted(tr("Labels written to %1.").arg(nameOf(path)));
         } catch (const Error& error) {
-            messages_.showError(QString::fromUtf8(error.what()));
+            messages_.showError(coreWords(error.what()));
         }
     });
 }
@@ -171,7 +172,7 @@ void LabelExchange::useVocabulary(const QString& path) {
             parseVocabulary(file.bytes(), nameOf(path).toStdString(), &findings);
         offerVocabulary(vocabulary, findings, nameOf(path));
     } catch (const Error& error) {
-        messages_.showError(QString::fromUtf8(error.what()));
+        messages_.showError(coreWords(error.what()));
     }
 }
 
@@ -184,7 +185,7 @@ void LabelExchange::offerVocabulary(const Vocabulary& vocabulary, const Findings
     Document& document = session_.document();
     QStringList lines;
     for (const Finding& finding : findings)
-        lines.append(QStringLiteral("⚠ ") + QString::fromStdString(finding.text));
+        lines.append(QStringLiteral("⚠ ") + coreWords(finding.text));
     const auto losses = lostBy(document.project(), vocabulary);
     if (!losses.empty())
         lines.append(

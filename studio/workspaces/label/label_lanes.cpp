@@ -62,8 +62,7 @@ int LabelLanes::chosenLane() const {
 QString LabelLanes::valueText(int lane, int value) const {
     const Aspect& aspect = labels_.vocabulary()[lane];
     const Qualifier& qualifier = aspect.qualifiers[static_cast<std::size_t>(value)];
-    return value == aspect.fallback ? vocabularyWords(qualifier.name)
-                                    : QString::fromStdString(qualifier.id);
+    return value == aspect.fallback ? vocabularyWords(qualifier.name) : shortWords(qualifier);
 }
 
 QColor LabelLanes::valueColour(int lane, int value) const {

@@ -83,8 +83,8 @@ QString reasonWords(const LabelSession& labels, const ShownAction& action, int a
     const RuleReasons* reasons = labels.reasonsOf(action);
     if (reasons == nullptr) return {};
     const Classifier classifier = labels.vocabulary()[aspect].classifier;
-    if (classifier == Classifier::ReactRule) return QString::fromStdString(reasons->react);
-    if (classifier == Classifier::MoveRule) return QString::fromStdString(reasons->moves);
+    if (classifier == Classifier::ReactRule) return coreWords(reasons->react);
+    if (classifier == Classifier::MoveRule) return coreWords(reasons->moves);
     return {};
 }
 

@@ -184,9 +184,9 @@ void RulesBox::showReasons() {
     const RuleReasons* reasons = action ? labels_.reasonsOf(*action) : nullptr;
     QStringList lines;
     if (reasons != nullptr && !reasons->react.empty())
-        lines.append(tr("React: %1").arg(QString::fromStdString(reasons->react)));
+        lines.append(tr("React: %1").arg(coreWords(reasons->react)));
     if (reasons != nullptr && !reasons->moves.empty())
-        lines.append(tr("Move: %1").arg(QString::fromStdString(reasons->moves)));
+        lines.append(tr("Move: %1").arg(coreWords(reasons->moves)));
     reasons_->setText(lines.join(QLatin1Char('\n')));
 }
 

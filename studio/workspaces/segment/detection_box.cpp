@@ -8,6 +8,7 @@
 
 #include "core/project/edits.h"
 #include "core/project/report.h"
+#include "studio/app/core_words.h"
 #include "studio/app/session.h"
 #include "studio/workspaces/segment/value_field.h"
 
@@ -116,7 +117,7 @@ void DetectionBox::showFindings() {
     const Document& document = session_.document();
     QStringList lines;
     for (const Finding& finding : smoothingFindings(document.project(), document.analysis())) {
-        lines.append(QStringLiteral("⚠ ") + QString::fromStdString(finding.text));
+        lines.append(QStringLiteral("⚠ ") + coreWords(finding.text));
     }
     warning_->setText(lines.join(QLatin1Char('\n')));
     warning_->setVisible(!lines.isEmpty());

@@ -129,7 +129,7 @@ void SequenceSession::follow() {
         try {
             draft = sequenceDraftOf(session_.document().project());
         } catch (const std::exception& error) {
-            Q_EMIT failed(QString::fromUtf8(error.what()));
+            Q_EMIT failed(coreWords(error.what()));
         }
     }
     if (draft != draft_) {
@@ -195,7 +195,7 @@ void SequenceSession::make() {
             } catch (const Cancelled&) {
                 throw;
             } catch (const std::exception& error) {
-                made.problem = QString::fromUtf8(error.what());
+                made.problem = coreWords(error.what());
             }
             return made;
         },
@@ -365,7 +365,7 @@ void SequenceSession::playLive(int block) {
         setPlaying(true);
         Q_EMIT stateChanged();
     } catch (const std::exception& error) {
-        Q_EMIT failed(QString::fromUtf8(error.what()));
+        Q_EMIT failed(coreWords(error.what()));
     }
 }
 
