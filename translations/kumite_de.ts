@@ -201,1243 +201,1263 @@
     </message>
     <message>
         <source>cannot be read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>kann nicht gelesen werden: %1.</translation>
     </message>
     <message>
         <source>cannot read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lesen nicht möglich: %1.</translation>
     </message>
     <message>
         <source>cannot write: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben nicht möglich: %1.</translation>
     </message>
     <message>
         <source>cannot make this folder: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>dieser Ordner kann nicht angelegt werden: %1.</translation>
     </message>
     <message>
         <source>is a folder, expected a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist ein Ordner, erwartet wird eine Datei.</translation>
     </message>
     <message>
         <source>is no regular file; save it as one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keine gewöhnliche Datei; speichern Sie sie erst als solche.</translation>
     </message>
     <message>
         <source>is a folder, expected a file to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist ein Ordner; zum Schreiben wird eine Datei erwartet.</translation>
     </message>
     <message>
         <source>is what is read here; write to another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>wird hier selbst gelesen; schreiben Sie in eine andere Datei.</translation>
     </message>
     <message>
         <source>there is no such file.</source>
-        <translation type="unfinished"></translation>
+        <translation>diese Datei gibt es nicht.</translation>
     </message>
     <message>
         <source>Every motion has too few frames for %1 key poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Bewegung hat genug Frames für %1 Schlüsselposen.</translation>
     </message>
     <message>
         <source>There is no frame of %1 to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 gibt es kein Frame zu schreiben.</translation>
     </message>
     <message>
         <source>The file holds %1 skeletons: %2. The first is read unless --root names another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei enthält %1 Skelette: %2. Gelesen wird das erste, sofern --root kein anderes nennt.</translation>
     </message>
     <message>
         <source>found several skeletons beside it (%1), expected one (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>daneben liegen mehrere Skelette (%1), erwartet wird eines (mit --asf angeben)</translation>
     </message>
     <message>
         <source>found %1, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: %1, erwartet: %2</translation>
     </message>
     <message>
         <source>the end of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>das Ende der Datei</translation>
     </message>
     <message>
         <source>only the %1 channels that CHANNELS announces</source>
-        <translation type="unfinished"></translation>
+        <translation>nur die %1 Kanäle, die CHANNELS ankündigt</translation>
     </message>
     <message>
         <source>A split by takes needs two takes or more with labelled transitions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aufteilung nach Takes braucht mindestens zwei Takes mit gelabelten Übergängen.</translation>
     </message>
     <message>
         <source>There are too few labelled transitions to set some apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt zu wenige gelabelte Übergänge, um einige davon zurückzuhalten.</translation>
     </message>
     <message>
         <source>For labelling, these joints take their parents&apos; place: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Labeln stehen für diese Gelenke ihre Elterngelenke: %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no aspect of the vocabulary %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ nennt keinen Aspekt des Vokabulars %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no qualifier of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ nennt keinen Zusatz von %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names an aspect twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ nennt einen Aspekt zweimal.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 wird eine Sicherheit erwartet, etwa 0.6 oder 60 %.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 wird eine Sicherheit erwartet, etwa 0.6 oder 60 %, nicht %2.</translation>
     </message>
     <message>
         <source>Say whether the confidence is &quot;below %1&quot; or &quot;above %1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagen Sie, ob die Sicherheit darunter („below %1“) oder darüber („above %1“) liegt.</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 wird eine Zeit erwartet, etwa %2.</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2, not %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 wird eine Zeit erwartet, etwa %2, nicht %3.</translation>
     </message>
     <message>
         <source>After %1 two times are expected, such as 0:30 to 1:00.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 werden zwei Zeiten erwartet, etwa 0:30 to 1:00.</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 wird 1 oder 2 erwartet.</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 wird 1 oder 2 erwartet, nicht %2.</translation>
     </message>
     <message>
         <source>There is no take %1; the takes are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Take %1 gibt es nicht; die Takes sind %2.</translation>
     </message>
     <message>
         <source>Say which take; the takes are %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sagen Sie, welcher Take; die Takes sind %1.</translation>
     </message>
     <message>
         <source>No aspect has a &quot;strike&quot;: %1 will never find anything to react to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Aspekt hat „strike“: %1 wird nie etwas finden, worauf zu reagieren wäre.</translation>
     </message>
     <message>
         <source>The key %1 stands for both %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Taste %1 steht für %2 und zugleich für %3.</translation>
     </message>
     <message>
         <source>In %1 the key %2 stands for both %3 and %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>In %1 steht die Taste %2 für %3 und zugleich für %4.</translation>
     </message>
     <message>
         <source>The target has no %1: their turns go to the joints below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Zielskelett fehlt %1: Die Drehungen gehen an die Gelenke darunter.</translation>
     </message>
     <message>
         <source>The source has no %1: they keep their rest relative to their parent.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Quellskelett fehlt %1: Diese Gelenke behalten ihre Ruhelage gegenüber dem Elterngelenk.</translation>
     </message>
     <message>
         <source>No joint was found for: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Gelenk gefunden für: %1.</translation>
     </message>
     <message>
         <source>Joint %1 does not stand behind its parent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gelenk %1 steht nicht hinter seinem Elterngelenk.</translation>
     </message>
     <message>
         <source>The channels of joint %1 do not follow the ones before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kanäle von Gelenk %1 schließen nicht an die vorigen an.</translation>
     </message>
     <message>
         <source>The End Site %1 has channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>End Site %1 hat Kanäle.</translation>
     </message>
     <message>
         <source>The offset of joint %1 is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Offset von Gelenk %1 ist keine endliche Zahl.</translation>
     </message>
     <message>
         <source>Frame 0 is a rest pose, not motion; takes leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame 0 ist eine Ruhepose, keine Bewegung; Takes lassen es weg.</translation>
     </message>
     <message>
         <source>Frames 0 to %1 are a rest pose, not motion; takes leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames 0 bis %1 sind eine Ruhepose, keine Bewegung; Takes lassen sie weg.</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 hat keine Grenze nahe Frame %2.</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2; the nearest is at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 hat keine Grenze nahe Frame %2; die nächste ist bei %3.</translation>
     </message>
     <message>
         <source>the recording is missing; its boundaries cannot be edited.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufnahme fehlt; ihre Grenzen lassen sich nicht bearbeiten.</translation>
     </message>
     <message>
         <source>A time offset must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Zeitversatz muss eine Zahl sein.</translation>
     </message>
     <message>
         <source>A placement must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Ortsangabe muss eine Zahl sein.</translation>
     </message>
     <message>
         <source>The floor&apos;s height must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Höhe des Bodens muss eine Zahl sein.</translation>
     </message>
     <message>
         <source>There is a take named &quot;%1&quot; already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Take namens „%1“ gibt es schon.</translation>
     </message>
     <message>
         <source>%1 has another skeleton: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat ein anderes Skelett: Das ist nicht die fehlende Aufnahme.</translation>
     </message>
     <message>
         <source>the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Endung sagt, was geschrieben wird; erwartet: .bvh, .glb, .npz, .csv, .json oder .eaf.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be written without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufnahme fehlt; ohne sie lässt sich der Take nicht schreiben.</translation>
     </message>
     <message>
         <source>a graph is written as .csv, .json or .graphml.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Graph wird als .csv, .json oder .graphml geschrieben.</translation>
     </message>
     <message>
         <source>there is no joint named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Gelenk namens „%1“ gibt es nicht; es gibt: %2.</translation>
     </message>
     <message>
         <source>the name holds bytes that are no UTF-8 text; rename the file or folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name enthält Bytes, die kein UTF-8-Text sind; benennen Sie die Datei oder den Ordner um.</translation>
     </message>
     <message>
         <source>the key pose of clip &quot;%1&quot; is not in the project</source>
-        <translation type="unfinished"></translation>
+        <translation>die Schlüsselpose aus Clip „%1“ ist nicht im Projekt</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no source.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Quelle.</translation>
     </message>
     <message>
         <source>labels are written as .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels werden als .csv, .json oder .eaf geschrieben.</translation>
     </message>
     <message>
         <source>labels are read from .csv, .json and .eaf files.</source>
-        <translation type="unfinished"></translation>
+        <translation>Labels werden aus .csv-, .json- und .eaf-Dateien gelesen.</translation>
     </message>
     <message>
         <source>the project has no take &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>das Projekt hat keinen Take „%1“.</translation>
     </message>
     <message>
         <source>the take has no such fighter.</source>
-        <translation type="unfinished"></translation>
+        <translation>diesen Kämpfer hat der Take nicht.</translation>
     </message>
     <message>
         <source>no action there.</source>
-        <translation type="unfinished"></translation>
+        <translation>dort ist keine Aktion.</translation>
     </message>
     <message>
         <source>its action takes the label of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>seine Aktion bekommt das Label von %1.</translation>
     </message>
     <message>
         <source>no joint has the role pelvis, so its actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Gelenk hat die Rolle Becken, daher lassen sich die Aktionen nicht vergleichen.</translation>
     </message>
     <message>
         <source>the recording is missing; its actions cannot be labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufnahme fehlt; ihre Aktionen lassen sich nicht labeln.</translation>
     </message>
     <message>
         <source>has no body with two legs; it is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keinen Körper mit zwei Beinen und wird weggelassen.</translation>
     </message>
     <message>
         <source>%1 It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Das wird weggelassen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: expected frames as A:B after the @.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“: Nach dem @ werden Frames als A:B erwartet.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: these frames are not in it; it has %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“: Diese Frames hat die Aktion nicht; sie hat %2 bis %3.</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Aktion der Bibliothek hat das Label „%1“.</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot; of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Aktion dieses Kämpfers in der Bibliothek hat das Label „%1“.</translation>
     </message>
     <message>
         <source>None of these clips is of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keiner dieser Clips ist von diesem Kämpfer.</translation>
     </message>
     <message>
         <source>joint &quot;%1&quot; is gone; the role %2 has no joint now.</source>
-        <translation type="unfinished"></translation>
+        <translation>das Gelenk „%1“ gibt es nicht mehr; die Rolle %2 hat jetzt kein Gelenk.</translation>
     </message>
     <message>
         <source>%1 The recording is left out; its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Die Aufnahme wird weggelassen; ihre Korrekturen bleiben erhalten.</translation>
     </message>
     <message>
         <source>the recording is missing; put it back or relink it. Its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufnahme fehlt; legen Sie sie zurück, oder verknüpfen Sie sie neu. Ihre Korrekturen bleiben erhalten.</translation>
     </message>
     <message>
         <source>the recording has changed since it became part of the project; check the boundaries, then relink it to accept the change.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufnahme hat sich geändert, seit sie zum Projekt gehört; prüfen Sie die Grenzen, und verknüpfen Sie sie dann neu, um die Änderung anzunehmen.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be shown without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aufnahme fehlt; ohne sie lässt sich der Take nicht zeigen.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; the project has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Take namens „%1“ gibt es nicht; das Projekt hat gar keinen.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Take namens „%1“ gibt es nicht; es gibt: %2.</translation>
     </message>
     <message>
         <source>no contact force without a body; no joint has the role %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Kontaktkraft ohne Körper; kein Gelenk hat die Rolle %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; of fighter %2 is no correction without a minimum.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ von Kämpfer %2 ist keine Korrektur ohne Minimum.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; leaves no boundary that could be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ hinterlässt keine Grenze, die sich hinzufügen ließe.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be reached: the nearest target that can is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist nicht erreichbar: Das nächste erreichbare Ziel ist %2.</translation>
     </message>
     <message>
         <source>What was saved before could not be kept. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der vorige Stand der Datei ließ sich nicht aufheben. %1</translation>
     </message>
     <message>
         <source>holds %1 frames only; the take ends there for this fighter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>frames %1 cannot be taken from a recording of %2 frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält nur %1 Frames; für diesen Kämpfer endet der Take dort.</translation>
     </message>
     <message>
         <source>holds %1 frames now, the take begins at frame %2; the recording is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält jetzt %1 Frames, der Take beginnt bei Frame %2; die Aufnahme wird weggelassen.</translation>
     </message>
     <message>
         <source>holds %1 frames now; the take ends there.</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält jetzt %1 Frames; der Take endet dort.</translation>
     </message>
     <message>
         <source>a cutoff of %1 Hz smooths nothing at %2 frames a second; choose one below %3 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Grenzfrequenz von %1 Hz glättet bei %2 Frames pro Sekunde nichts; wählen Sie eine unter %3 Hz.</translation>
     </message>
     <message>
         <source>the annotation &quot;%1&quot; has no time and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>die Annotation „%1“ hat keine Zeit und wird weggelassen.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no action that can be asked for; there are %2, what they strike with, and ASPECT:QUALIFIER.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Aktion, die man sich wünschen kann; es gibt %2, womit sie treffen, und ASPEKT:ZUSATZ.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ fehlt.</translation>
     </message>
     <message>
         <source>expected a list.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Liste wird erwartet.</translation>
     </message>
     <message>
         <source>expected an object.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objekt wird erwartet.</translation>
     </message>
     <message>
         <source>expected a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl wird erwartet.</translation>
     </message>
     <message>
         <source>expected a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl wird erwartet.</translation>
     </message>
     <message>
         <source>expected a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine endliche Zahl wird erwartet.</translation>
     </message>
     <message>
         <source>expected a number above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl über 0 wird erwartet.</translation>
     </message>
     <message>
         <source>expected true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>true oder false wird erwartet.</translation>
     </message>
     <message>
         <source>expected text.</source>
-        <translation type="unfinished"></translation>
+        <translation>Text wird erwartet.</translation>
     </message>
     <message>
         <source>expected 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 oder mehr wird erwartet.</translation>
     </message>
     <message>
         <source>expected [begin, end] with 0 &lt;= begin &lt; end.</source>
-        <translation type="unfinished"></translation>
+        <translation>[begin, end] mit 0 &lt;= begin &lt; end wird erwartet.</translation>
     </message>
     <message>
         <source>expected an object with &quot;key_poses&quot;: 1, &quot;rate&quot; and &quot;keys&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Objekt mit &quot;key_poses&quot;: 1, &quot;rate&quot; und &quot;keys&quot; wird erwartet.</translation>
     </message>
     <message>
         <source>expected a colour like #3a86d8.</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Farbe wie #3a86d8 wird erwartet.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ ist keine Gelenkrolle.</translation>
     </message>
     <message>
         <source>is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keine Gelenkrolle.</translation>
     </message>
     <message>
         <source>is no vocabulary: it has no &quot;vocabulary&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist kein Vokabular: Die Versionsangabe „vocabulary“ fehlt.</translation>
     </message>
     <message>
         <source>is the id of two qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist die ID zweier Zusätze.</translation>
     </message>
     <message>
         <source>is the id of two aspects.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist die ID zweier Aspekte.</translation>
     </message>
     <message>
         <source>is the name of two takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist der Name zweier Takes.</translation>
     </message>
     <message>
         <source>a take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Take hat einen oder zwei Kämpfer.</translation>
     </message>
     <message>
         <source>a vocabulary has one aspect or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Vokabular hat mindestens einen Aspekt.</translation>
     </message>
     <message>
         <source>an aspect has two qualifiers or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Aspekt hat mindestens zwei Zusätze.</translation>
     </message>
     <message>
         <source>is none of the qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist keiner der Zusätze.</translation>
     </message>
     <message>
         <source>there is no aspect &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>einen Aspekt „%1“ gibt es nicht.</translation>
     </message>
     <message>
         <source>The system&apos;s OpenSSL library cannot compute SHA-256.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die OpenSSL-Bibliothek des Systems kann SHA-256 nicht berechnen.</translation>
     </message>
     <message>
         <source>A demo bout lasts from 1 second to 24 hours; %1 seconds were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Demo-Kampf dauert zwischen 1 Sekunde und 24 Stunden; verlangt waren %1 Sekunden.</translation>
     </message>
     <message>
         <source>A demo bout has 24 to 240 frames a second; %1 were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Demo-Kampf hat 24 bis 240 Frames pro Sekunde; verlangt waren %1.</translation>
     </message>
     <message>
         <source>There is no key pose to make a motion of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Schlüsselpose, aus der eine Bewegung werden könnte.</translation>
     </message>
     <message>
         <source>The library holds no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bibliothek enthält keine Bewegung.</translation>
     </message>
     <message>
         <source>There is no key at frame %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei Frame %1 steht keine Schlüsselpose.</translation>
     </message>
     <message>
         <source>Frame %1 is not behind the key before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame %1 liegt nicht hinter der vorigen Schlüsselpose.</translation>
     </message>
     <message>
         <source>Keys can be brought nearer or farther by a factor above 0 only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüsselposen lassen sich nur mit einem Faktor über 0 enger oder weiter stellen.</translation>
     </message>
     <message>
         <source>Keys cannot be brought that far.</source>
-        <translation type="unfinished"></translation>
+        <translation>So weit lassen sich Schlüsselposen nicht verschieben.</translation>
     </message>
     <message>
         <source>Key poses need a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüsselposen brauchen ein Skelett.</translation>
     </message>
     <message>
         <source>Key poses need a rate above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüsselposen brauchen eine Rate über 0.</translation>
     </message>
     <message>
         <source>The key at frame %1 is a pose of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schlüsselpose bei Frame %1 gehört zu einem anderen Skelett.</translation>
     </message>
     <message>
         <source>The key at frame %1 comes after one at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schlüsselpose bei Frame %1 steht hinter einer bei Frame %2.</translation>
     </message>
     <message>
         <source>Frames %1:%2 are not in the take, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Frames %1:%2 liegen nicht im Take; er hat %3.</translation>
     </message>
     <message>
         <source>The part comes from another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Teil stammt von einem anderen Skelett.</translation>
     </message>
     <message>
         <source>Frames %1 to %2 are not in the source, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Frames %1 bis %2 liegen nicht in der Quelle; sie hat %3.</translation>
     </message>
     <message>
         <source>There is no key pose to look for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Schlüsselpose, nach der sich suchen ließe.</translation>
     </message>
     <message>
         <source>At most 1000 key poses can be looked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen lassen sich höchstens 1000 Schlüsselposen.</translation>
     </message>
     <message>
         <source>Every key pose needs its features and its frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Schlüsselpose braucht ihre Merkmale und ihr Frame.</translation>
     </message>
     <message>
         <source>Key poses must stand in the order of their frames, one per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlüsselposen müssen in der Folge ihrer Frames stehen, eine je Frame.</translation>
     </message>
     <message>
         <source>Two examples of the strike cannot be aligned in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Beispiele der Technik lassen sich zeitlich nicht ausrichten.</translation>
     </message>
     <message>
         <source>There is no example of the strike to blend.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Beispiel der Technik zum Mischen.</translation>
     </message>
     <message>
         <source>The skeleton has no %1: its roles tell nothing that could hit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Skelett fehlt %1: Seine Rollen nennen nichts, was treffen könnte.</translation>
     </message>
     <message>
         <source>Strike &quot;%1&quot; is of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Technik „%1“ gehört zu einem anderen Skelett.</translation>
     </message>
     <message>
         <source>Feature poses must come in pairs, one of the query and one of the clip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmalsposen müssen paarweise kommen, eine der Anfrage und eine des Clips.</translation>
     </message>
     <message>
         <source>Feature poses must follow each other in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Merkmalsposen müssen zeitlich aufeinander folgen.</translation>
     </message>
     <message>
         <source>An AMC file does not say its frame rate: 120 Hz is assumed; give another with --rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine AMC-Datei nennt ihre Framerate nicht: 120 Hz werden angenommen; mit --rate geben Sie eine andere an.</translation>
     </message>
     <message>
         <source>Frame %1, the last, is cut: it is dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame %1, das letzte, ist unvollständig und entfällt.</translation>
     </message>
     <message>
         <source>Frame %1 does not follow the one before it by number: the frames are taken one after the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame %1 folgt der Nummer nach nicht auf das vorige: Die Frames werden der Reihe nach genommen.</translation>
     </message>
     <message>
         <source>found %1 numbers, expected %2 for bone %3 in frame %4</source>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: %1 Zahlen, erwartet: %2 für Knochen %3 in Frame %4</translation>
     </message>
     <message>
         <source>found no line for bone %1 in frame %2, expected one for each bone with a dof</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Zeile für Knochen %1 in Frame %2 gefunden, erwartet: eine für jeden Knochen mit dof</translation>
     </message>
     <message>
         <source>found %1, expected a unit of length greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: %1, erwartet: eine Längeneinheit größer als null</translation>
     </message>
     <message>
         <source>found a bone without name, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen ohne Namen gefunden, erwartet: ein Name</translation>
     </message>
     <message>
         <source>found a second bone %1, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>zweiter Knochen %1 gefunden, erwartet: nur einer</translation>
     </message>
     <message>
         <source>found bone %1 a second time, expected one parent for each</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen %1 ein zweites Mal gefunden, erwartet: nur ein Elternknochen für jeden</translation>
     </message>
     <message>
         <source>found bone %1 that does not hang on the root, expected it in :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen %1 hängt nicht an der Wurzel, erwartet: ein Eintrag in :hierarchy</translation>
     </message>
     <message>
         <source>found a skeleton without any dof, expected an order for the root</source>
-        <translation type="unfinished"></translation>
+        <translation>Skelett ganz ohne dof gefunden, erwartet: eine Angabe order für die Wurzel</translation>
     </message>
     <message>
         <source>Bone %1 changes its length: that is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>Knochen %1 ändert seine Länge: Das wird nicht verwendet.</translation>
     </message>
     <message>
         <source>found more joints than a skeleton can have, expected %1 at most</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr Gelenke gefunden, als ein Skelett haben kann, erwartet: höchstens %1</translation>
     </message>
     <message>
         <source>%1 has no OFFSET: taken as 0 0 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat kein OFFSET: 0 0 0 wird angenommen.</translation>
     </message>
     <message>
         <source>%1 has channels or children: read as a joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat Kanäle oder Kinder: als Gelenk gelesen.</translation>
     </message>
     <message>
         <source>found a second %1, expected one in joint %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ein zweites Mal gefunden, erwartet: nur einmal in Gelenk %2</translation>
     </message>
     <message>
         <source>found a skeleton without any channel, expected CHANNELS</source>
-        <translation type="unfinished"></translation>
+        <translation>Skelett ohne einen einzigen Kanal gefunden, erwartet: CHANNELS</translation>
     </message>
     <message>
         <source>found %1 numbers after Frame Time, expected at least one frame of %2 numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>gefunden: %1 Zahlen nach Frame Time, erwartet: mindestens ein Frame mit %2 Zahlen</translation>
     </message>
     <message>
         <source>found more frames than can be counted, expected fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>mehr Frames gefunden, als sich zählen lassen, erwartet: weniger</translation>
     </message>
     <message>
         <source>A .glb file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine .glb-Datei fasst höchstens 4 GB: Exportieren Sie einen kürzeren Bereich.</translation>
     </message>
     <message>
         <source>There is no figure to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keine Figur zu schreiben.</translation>
     </message>
     <message>
         <source>A glTF skeleton cannot have more than 65 535 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein glTF-Skelett kann höchstens 65 535 Gelenke haben.</translation>
     </message>
     <message>
         <source>is not valid JSON here.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist hier kein gültiges JSON.</translation>
     </message>
     <message>
         <source>holds a number that is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält eine zu große Zahl.</translation>
     </message>
     <message>
         <source>A .npz file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine .npz-Datei fasst höchstens 4 GB: Exportieren Sie einen kürzeren Bereich.</translation>
     </message>
     <message>
         <source>found no skeleton beside it, expected an .asf file (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>daneben liegt kein Skelett, erwartet wird eine .asf-Datei (mit --asf angeben)</translation>
     </message>
     <message>
         <source>found an ASF skeleton, which holds no motion, expected the .amc file that belongs to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>found %1 file, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist ein ASF-Skelett, das keine Bewegung enthält; erwartet wird die zugehörige .amc-Datei.</translation>
     </message>
     <message>
         <source>The recording holds no skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahme enthält kein Skelett.</translation>
     </message>
     <message>
         <source>found UTF-16 text, expected plain text (save the file as UTF-8)</source>
-        <translation type="unfinished"></translation>
+        <translation>UTF-16-Text gefunden, erwartet: einfacher Text (speichern Sie die Datei als UTF-8)</translation>
     </message>
     <message>
         <source>has a quote that is not closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>hat ein Anführungszeichen, das nicht geschlossen wird.</translation>
     </message>
     <message>
         <source>No joint has the role pelvis: actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Gelenk hat die Rolle Becken: Aktionen lassen sich nicht vergleichen.</translation>
     </message>
     <message>
         <source>Nothing stands before &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor „or“ steht nichts.</translation>
     </message>
     <message>
         <source>Nothing stands after &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach „or“ steht nichts.</translation>
     </message>
     <message>
         <source>Something is missing after &quot;not&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach „not“ fehlt etwas.</translation>
     </message>
     <message>
         <source>Points to be aligned must come in pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte zum Ausrichten müssen paarweise kommen.</translation>
     </message>
     <message>
         <source>Points to be aligned need a weight above zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkte zum Ausrichten brauchen ein Gewicht über null.</translation>
     </message>
     <message>
         <source>A rate must be a positive number of frames a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Rate muss eine positive Zahl von Frames pro Sekunde sein.</translation>
     </message>
     <message>
         <source>Foot locking needs a frame to show.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Festhalten der Füße braucht ein Frame, das gezeigt wird.</translation>
     </message>
     <message>
         <source>Foot locking needs to know of every frame which feet stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zum Festhalten der Füße muss für jedes Frame bekannt sein, welche Füße stehen.</translation>
     </message>
     <message>
         <source>A clip without frames cannot be joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Clip ohne Frames lässt sich nicht verbinden.</translation>
     </message>
     <message>
         <source>Clips can be joined only at one rate and on one skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Clips lassen sich nur bei gleicher Rate und gleichem Skelett verbinden.</translation>
     </message>
     <message>
         <source>A motion needs a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Bewegung braucht ein Skelett.</translation>
     </message>
     <message>
         <source>A motion&apos;s frame time must be a positive number of seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Dauer eines Frames muss eine positive Zahl von Sekunden sein.</translation>
     </message>
     <message>
         <source>A motion&apos;s channel values do not fill its frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kanalwerte der Bewegung füllen ihre Frames nicht.</translation>
     </message>
     <message>
         <source>A channel value is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Kanalwert ist keine endliche Zahl.</translation>
     </message>
     <message>
         <source>A clip&apos;s rig does not have the joints of its motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Rig eines Clips hat nicht die Gelenke seiner Bewegung.</translation>
     </message>
     <message>
         <source>A clip of %1 joints cannot be written with the %2 joints of another skeleton: retarget it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Clip mit %1 Gelenken lässt sich nicht mit den %2 Gelenken eines anderen Skeletts schreiben: Erst ist ein Retargeting nötig.</translation>
     </message>
     <message>
         <source>Ways are scaled by %1 for the legs&apos; lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wege werden mit %1 skaliert, weil die Beine verschieden lang sind.</translation>
     </message>
     <message>
         <source>%1 moves by up to %2 cm of its own, which is not kept: %3 carries the body.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bewegt sich selbst um bis zu %2 cm, was verloren geht: Den Körper trägt %3.</translation>
     </message>
     <message>
         <source>The bone to %1 changes by up to %2 cm; its mean is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Knochen zu %1 ändert seine Länge um bis zu %2 cm; behalten wird das Mittel.</translation>
     </message>
     <message>
         <source>No neck: the chest (%1) stands in for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Hals: Die Brust (%1) steht für ihn.</translation>
     </message>
     <message>
         <source>The joint names say nothing; the roles were read off the skeleton&apos;s shape. Check left and right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Namen der Gelenke sagen nichts; die Rollen wurden aus der Form des Skeletts gelesen. Prüfen Sie links und rechts.</translation>
     </message>
     <message>
         <source>This skeleton is not a human body that is known here: it is shown and measured, but the contact force needs joint roles. Name them by hand if it is one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Skelett ist kein hier bekannter menschlicher Körper: Es wird gezeigt und vermessen, aber die Kontaktkraft braucht Gelenkrollen. Ist es doch einer, so benennen Sie sie von Hand.</translation>
     </message>
     <message>
         <source>A skeleton needs at least one joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Skelett braucht mindestens ein Gelenk.</translation>
     </message>
     <message>
         <source>A skeleton&apos;s channel count does not add up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Anzahl der Kanäle eines Skeletts geht nicht auf.</translation>
     </message>
     <message>
         <source>The body lies along the x axis; y was taken for up. Say which axis is up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Körper liegt entlang der x-Achse; als Hochachse wurde y angenommen. Sagen Sie, welche Achse nach oben zeigt.</translation>
     </message>
     <message>
         <source>Without legs the unit cannot be found; centimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Beine lässt sich die Einheit nicht ermitteln; Zentimeter werden angenommen.</translation>
     </message>
     <message>
         <source>The labels belong to another segmentation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Labels gehören zu einer anderen Segmentierung.</translation>
     </message>
     <message>
         <source>The differences belong to another segmentation or vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Unterschiede gehören zu einer anderen Segmentierung oder einem anderen Vokabular.</translation>
     </message>
     <message>
         <source>Fighter %1 has no removed boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 hat keine entfernte Grenze nahe Frame %2.</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; move that one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 hat bei Frame %2 schon eine Grenze; verschieben Sie erst diese.</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take, whose last frame is %2: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame %1 liegt nicht im Inneren des Takes, dessen letztes Frame %2 ist: Dort kann keine Grenze stehen.</translation>
     </message>
     <message>
         <source>The boundary can move between its neighbours only: frames %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Grenze lässt sich nur zwischen ihren Nachbarn verschieben: Frames %1 bis %2.</translation>
     </message>
     <message>
         <source>The boundary at frame %1 is an end of the take, which stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Grenze bei Frame %1 ist ein Ende des Takes und bleibt.</translation>
     </message>
     <message>
         <source>Take %1, player %2: its skeleton has other joints than that of the first take, so it is left out of bouts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Take %1, Kämpfer %2: Das Skelett hat andere Gelenke als das des ersten Takes und bleibt bei Kämpfen außen vor.</translation>
     </message>
     <message>
         <source>No action of player %1 begins in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>In den Frames %2 bis %3 von Take %4 beginnt keine Aktion von Kämpfer %1.</translation>
     </message>
     <message>
         <source>Player %1 does not attack in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 greift in den Frames %2 bis %3 von Take %4 nicht an.</translation>
     </message>
     <message>
         <source>Player %1 never attacks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 greift nie an.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner %1 kann nicht angelegt werden: %2.</translation>
     </message>
     <message>
         <source>The cutoff must be a positive number of Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Grenzfrequenz muss eine positive Zahl in Hz sein.</translation>
     </message>
     <message>
         <source>The prominence must be a number of body weights, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Prominenz muss eine Zahl von Körpergewichten sein, 0 oder mehr.</translation>
     </message>
     <message>
         <source>A take needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Take braucht einen Namen.</translation>
     </message>
     <message>
         <source>A take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Take hat einen oder zwei Kämpfer.</translation>
     </message>
     <message>
         <source>There is no such place in the list of takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Platz gibt es in der Liste der Takes nicht.</translation>
     </message>
     <message>
         <source>There is one fighter only: nothing to swap.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt nur einen Kämpfer: nichts zu tauschen.</translation>
     </message>
     <message>
         <source>The skeleton has no such joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Gelenk hat das Skelett nicht.</translation>
     </message>
     <message>
         <source>%1 holds %2 frames, but the take reaches to frame %3: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 enthält %2 Frames, der Take reicht aber bis Frame %3: Das ist nicht die fehlende Aufnahme.</translation>
     </message>
     <message>
         <source>The placement cannot be written: neither the root nor a joint right below it has all position and rotation channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ort lässt sich nicht schreiben: Weder die Wurzel noch ein Gelenk direkt darunter hat alle Positions- und Rotationskanäle.</translation>
     </message>
     <message>
         <source>A take is made of one or two recordings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Take entsteht aus einer oder zwei Aufnahmen.</translation>
     </message>
     <message>
         <source>The take&apos;s name holds bytes that are no UTF-8 text.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name des Takes enthält Bytes, die kein UTF-8-Text sind.</translation>
     </message>
     <message>
         <source>A frame rate lies between 1 and 10000 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Framerate liegt zwischen 1 und 10000 Hz.</translation>
     </message>
     <message>
         <source>The recordings run at %1 and %2 Hz; each keeps its own rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aufnahmen laufen mit %1 und %2 Hz; jede behält ihre Rate.</translation>
     </message>
     <message>
         <source>Take %1, player %2: no pelvis or no centre of mass is known, so its actions are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Take %1, Kämpfer %2: Becken oder Schwerpunkt ist nicht bekannt, daher werden seine Aktionen weggelassen.</translation>
     </message>
     <message>
         <source>Player %1: %2 of %3 actions have no label and are left out, with every transition that touches them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1: %2 von %3 Aktionen haben kein Label und werden weggelassen, samt jedem Übergang, der sie berührt.</translation>
     </message>
     <message>
         <source>No take of two has a recording of player %1 with the skeleton of the bout: it was removed since the bout was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Take mit zwei Kämpfern hat eine Aufnahme von Kämpfer %1 mit dem Skelett des Kampfs: Sie wurde entfernt, seit der Kampf begann.</translation>
     </message>
     <message>
         <source>An .eaf file holds one take: say which.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine .eaf-Datei enthält einen Take: Sagen Sie, welchen.</translation>
     </message>
     <message>
         <source>is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist leer.</translation>
     </message>
     <message>
         <source>has no column %1; a label table needs begin_s, end_s and label.</source>
-        <translation type="unfinished"></translation>
+        <translation>hat keine Spalte %1; eine Label-Tabelle braucht begin_s, end_s und label.</translation>
     </message>
     <message>
         <source>holds no labels: it has neither &quot;kumite_labels&quot; nor &quot;players&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält keine Labels: Es gibt weder „kumite_labels“ noch „players“.</translation>
     </message>
     <message>
         <source>There is no action %1; the fighter has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Aktion %1 gibt es nicht; der Kämpfer hat %2.</translation>
     </message>
     <message>
         <source>The vocabulary has no aspect %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Vokabular hat keinen Aspekt %1.</translation>
     </message>
     <message>
         <source>%1 has no qualifier %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keinen Zusatz %2.</translation>
     </message>
     <message>
         <source>The label belongs to another vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Label gehört zu einem anderen Vokabular.</translation>
     </message>
     <message>
         <source>The thresholds of the rules must be numbers, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schwellen der Regeln müssen Zahlen sein, 0 oder mehr.</translation>
     </message>
     <message>
         <source>A cross-validation has two folds or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kreuzvalidierung hat mindestens zwei Gruppen.</translation>
     </message>
     <message>
         <source>A library&apos;s rate lies between %1 and %2 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Rate einer Bibliothek liegt zwischen %1 und %2 Hz.</translation>
     </message>
     <message>
         <source>The library is empty: no source holds the motion of a body.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bibliothek ist leer: Keine Quelle enthält die Bewegung eines Körpers.</translation>
     </message>
     <message>
         <source>The library has no clip &quot;%1&quot;; it has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bibliothek hat keinen Clip „%1“; sie hat %2.</translation>
     </message>
     <message>
         <source>None of these clips shows a hand or a foot that strikes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keiner dieser Clips zeigt eine Hand oder einen Fuß, der zuschlägt.</translation>
     </message>
     <message>
         <source>No strike of the %1 was found in &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>In „%2“ wurde keine Technik mit %1 gefunden.</translation>
     </message>
     <message>
         <source>%1 was not where the project says; the same recording was found at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 war nicht dort, wo das Projekt sagt; dieselbe Aufnahme wurde unter %2 gefunden.</translation>
     </message>
     <message>
         <source>%1 is there already: choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gibt es schon: Wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
         <source>is a recording; make a project of it with kumite new.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist eine Aufnahme; machen Sie mit kumite new ein Projekt daraus.</translation>
     </message>
     <message>
         <source>is not a Kumite project: it has no &quot;kumite&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>ist kein Kumite-Projekt: Die Versionsangabe „kumite“ fehlt.</translation>
     </message>
     <message>
         <source>was written by a newer Kumite (file version %1, this one reads up to %2); open it with that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>wurde von einem neueren Kumite geschrieben (Dateiversion %1, dieses hier liest bis %2); öffnen Sie die Datei damit.</translation>
     </message>
     <message>
         <source>No motion from key poses of %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Bewegung aus Schlüsselposen von %1: %2</translation>
     </message>
     <message>
         <source>There is no clip to rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt keinen Clip zu bewerten.</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame %1 liegt nicht im Inneren des Takes: Dort kann keine Grenze stehen.</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; forget this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 hat bei Frame %2 schon eine Grenze; vergessen Sie diese Korrektur.</translation>
     </message>
     <message>
         <source>Fighter %1 has no action at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 hat bei Frame %2 keine Aktion.</translation>
     </message>
     <message>
         <source>The budget is a share of all actions, above 0 and at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Budget ist ein Anteil aller Aktionen, über 0 und höchstens 1.</translation>
     </message>
     <message>
         <source>Player %1 has no labelled action that follows another labelled one: label more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 hat keine gelabelte Aktion, die auf eine andere gelabelte folgt: Labeln Sie mehr von ihm.</translation>
     </message>
     <message>
         <source>The captured attack holds no action.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der aufgenommene Angriff enthält keine Aktion.</translation>
     </message>
     <message>
         <source>No take of two shows player %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Take mit zwei Kämpfern zeigt Kämpfer %1.</translation>
     </message>
     <message>
         <source>The captured attack cannot be shown: its take is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der aufgenommene Angriff lässt sich nicht zeigen: Sein Take fehlt.</translation>
     </message>
     <message>
         <source>Player %1 shows nothing but attacks outside of the captured one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 zeigt außerhalb des aufgenommenen Angriffs nichts als Angriffe.</translation>
     </message>
     <message>
         <source>No recorded moment shows both fighters labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>In keinem aufgenommenen Moment sind beide Kämpfer gelabelt.</translation>
     </message>
     <message>
         <source>Only a bout with an avatar can be steered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur ein Kampf mit Avatar lässt sich steuern.</translation>
     </message>
     <message>
         <source>The library was made without an avatar&apos;s model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bibliothek wurde ohne Modell für einen Avatar erstellt.</translation>
     </message>
     <message>
         <source>Player %1 never shows &quot;%2&quot; after another labelled action.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kämpfer %1 zeigt „%2“ nie nach einer anderen gelabelten Aktion.</translation>
     </message>
     <message>
         <source>A weight is 0 (never) or a positive factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gewicht ist 0 (nie) oder ein positiver Faktor.</translation>
     </message>
     <message>
         <source>A temperature is 0 or positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Temperatur ist 0 oder positiv.</translation>
     </message>
     <message>
         <source>No action of the avatar is followed by half a second of its take.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf keine Aktion des Avatars folgt noch eine halbe Sekunde ihres Takes.</translation>
     </message>
     <message>
         <source>The action has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Aktion hat kein Frame.</translation>
     </message>
     <message>
         <source>The threshold of pose clusters must be a positive number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schwelle für Posencluster muss eine positive Zahl sein.</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Block „%1“ hat keine Bewegung.</translation>
     </message>
     <message>
         <source>Frames %1:%2 cannot be taken from &quot;%3&quot;, which has %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Frames %1:%2 gibt es in „%3“ nicht; dort sind es %4.</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Block „%1“ hat kein Frame.</translation>
     </message>
     <message>
         <source>The sequence has no block.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sequenz hat keinen Block.</translation>
     </message>
     <message>
         <source>There is no path in the graph between these two actions; choose a curve, or clips played backward.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen diesen beiden Aktionen gibt es im Graphen keinen Weg; wählen Sie eine Kurve oder rückwärts gespielte Clips.</translation>
     </message>
     <message>
         <source>There are %1 candidate paths, counted from 0: no path %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt %1 mögliche Wege, gezählt ab 0: keinen Weg %2.</translation>
     </message>
     <message>
         <source>A transition needs motion on both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Übergang braucht Bewegung auf beiden Seiten.</translation>
     </message>
     <message>
         <source>%1 (%2–%3 s, fighter %4): %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2–%3 s, Kämpfer %4): %5</translation>
     </message>
     <message>
         <source>at least one whole frame</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens ein ganzes Frame</translation>
     </message>
     <message>
         <source>the number of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>die Nummer eines Frames</translation>
     </message>
     <message>
         <source>a bone of the skeleton that has a dof, or the number of the frame after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Knochen des Skeletts, der einen dof hat, oder die Nummer des Frames nach %1</translation>
     </message>
     <message>
         <source>each bone once in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder Knochen nur einmal in Frame %1</translation>
     </message>
     <message>
         <source>a number for bone %1 in frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Zahl für Knochen %1 in Frame %2</translation>
     </message>
     <message>
         <source>only %1 numbers for bone %2 in frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>nur %1 Zahlen für Knochen %2 in Frame %3</translation>
     </message>
     <message>
         <source>a section of an ASF file, such as :units or :bonedata</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Abschnitt einer ASF-Datei wie :units oder :bonedata</translation>
     </message>
     <message>
         <source>the section :root</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abschnitt :root</translation>
     </message>
     <message>
         <source>the section :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>der Abschnitt :hierarchy</translation>
     </message>
     <message>
         <source>deg or rad</source>
-        <translation type="unfinished"></translation>
+        <translation>deg oder rad</translation>
     </message>
     <message>
         <source>order, axis, position or orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>order, axis, position oder orientation</translation>
     </message>
     <message>
         <source>10000 bones at most</source>
-        <translation type="unfinished"></translation>
+        <translation>höchstens 10000 Knochen</translation>
     </message>
     <message>
         <source>end, behind the last line of a bone</source>
-        <translation type="unfinished"></translation>
+        <translation>end hinter der letzten Zeile eines Knochens</translation>
     </message>
     <message>
         <source>the name of a bone of :bonedata, or end</source>
-        <translation type="unfinished"></translation>
+        <translation>der Name eines Knochens aus :bonedata oder end</translation>
     </message>
     <message>
         <source>an order of rotations, such as XYZ</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Reihenfolge von Drehungen wie XYZ</translation>
     </message>
     <message>
         <source>each degree of freedom once</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder Freiheitsgrad nur einmal</translation>
     </message>
     <message>
         <source>OFFSET, CHANNELS, JOINT, End Site or } in joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>OFFSET, CHANNELS, JOINT, End Site oder } in Gelenk %1</translation>
     </message>
     <message>
         <source>the number of channels, 0 to 6</source>
-        <translation type="unfinished"></translation>
+        <translation>die Anzahl der Kanäle, 0 bis 6</translation>
     </message>
     <message>
         <source>each channel once in a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder Kanal nur einmal in einem Gelenk</translation>
     </message>
     <message>
         <source>channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1 von %2: Xposition, Yposition, Zposition, Xrotation, Yrotation oder Zrotation</translation>
     </message>
     <message>
         <source>Frame Time:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Time:</translation>
     </message>
     <message>
         <source>Frames:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames:</translation>
     </message>
     <message>
         <source>a finite number with a decimal point</source>
-        <translation type="unfinished"></translation>
+        <translation>eine endliche Zahl mit Dezimalpunkt</translation>
     </message>
     <message>
         <source>no action of the opponent at that time</source>
-        <translation type="unfinished"></translation>
+        <translation>zu dieser Zeit keine Aktion des Gegners</translation>
     </message>
     <message>
         <source>the opponent&apos;s action is no attack</source>
-        <translation type="unfinished"></translation>
+        <translation>die Aktion des Gegners ist kein Angriff</translation>
     </message>
     <message>
         <source>stands left</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand links</translation>
     </message>
     <message>
         <source>stands right</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand rechts</translation>
     </message>
     <message>
         <source>in the air</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Luft</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing only %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 vom Gegner, nähert sich nur mit %2 m/s</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 vom Gegner, nähert sich mit %2 m/s</translation>
     </message>
     <message>
         <source>%1 at the beginning, %2 at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>am Anfang %1, am Ende %2</translation>
+    </message>
+    <message>
+        <source>There is no root %1; the recording has %2.</source>
+        <translation>Eine Wurzel %1 gibt es nicht; die Aufnahme hat %2.</translation>
+    </message>
+    <message>
+        <source>The body stands on its head most of the time: is up right?</source>
+        <translation>Der Körper steht meist auf dem Kopf: Stimmt die Hochachse?</translation>
+    </message>
+    <message>
+        <source>The legs would be %1 m long: is the unit (%2) right?</source>
+        <translation>Die Beine wären %1 m lang: Stimmt die Einheit (%2)?</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
+        <translation>Im Verhältnis zu den Beinen hat das Zielskelett %1 % längere Arme: Die Hände erreichen nicht dieselben Stellen.</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
+        <translation>Im Verhältnis zu den Beinen hat das Zielskelett %1 % kürzere Arme: Die Hände erreichen nicht dieselben Stellen.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>frames %1:%2 cannot be taken from a recording of %3 frames.</source>
+        <translation>die Frames %1:%2 gibt es in einer Aufnahme von %3 Frames nicht.</translation>
+    </message>
+    <message>
+        <source>found %1 data, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
+        <translation>gefunden: %1-Daten, erwartet: BVH oder ASF/AMC. Importieren Sie die Datei in Blender, und exportieren Sie sie als Motion Capture (.bvh).</translation>
+    </message>
+    <message>
+        <source>the opponent&apos;s action is not labelled yet</source>
+        <translation>die Aktion des Gegners ist noch nicht gelabelt</translation>
     </message>
 </context>
 <context>
@@ -1451,162 +1471,162 @@
     <name>Role</name>
     <message>
         <source>pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>Becken</translation>
     </message>
     <message>
         <source>spine</source>
-        <translation type="unfinished"></translation>
+        <translation>Wirbelsäule</translation>
     </message>
     <message>
         <source>chest</source>
-        <translation type="unfinished">Brust</translation>
+        <translation>Brust</translation>
     </message>
     <message>
         <source>neck</source>
-        <translation type="unfinished"></translation>
+        <translation>Hals</translation>
     </message>
     <message>
         <source>head</source>
-        <translation type="unfinished">Kopf</translation>
+        <translation>Kopf</translation>
     </message>
     <message>
         <source>left clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>linkes Schlüsselbein</translation>
     </message>
     <message>
         <source>left shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>linke Schulter</translation>
     </message>
     <message>
         <source>left elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>linker Ellbogen</translation>
     </message>
     <message>
         <source>left wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>linkes Handgelenk</translation>
     </message>
     <message>
         <source>left hip</source>
-        <translation type="unfinished"></translation>
+        <translation>linke Hüfte</translation>
     </message>
     <message>
         <source>left knee</source>
-        <translation type="unfinished"></translation>
+        <translation>linkes Knie</translation>
     </message>
     <message>
         <source>left ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>linker Knöchel</translation>
     </message>
     <message>
         <source>left toe</source>
-        <translation type="unfinished"></translation>
+        <translation>linke Zehen</translation>
     </message>
     <message>
         <source>right clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>rechtes Schlüsselbein</translation>
     </message>
     <message>
         <source>right shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte Schulter</translation>
     </message>
     <message>
         <source>right elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>rechter Ellbogen</translation>
     </message>
     <message>
         <source>right wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>rechtes Handgelenk</translation>
     </message>
     <message>
         <source>right hip</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte Hüfte</translation>
     </message>
     <message>
         <source>right knee</source>
-        <translation type="unfinished"></translation>
+        <translation>rechtes Knie</translation>
     </message>
     <message>
         <source>right ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>rechter Knöchel</translation>
     </message>
     <message>
         <source>right toe</source>
-        <translation type="unfinished"></translation>
+        <translation>rechte Zehen</translation>
     </message>
 </context>
 <context>
     <name>ShortLabel</name>
     <message>
         <source>fwd</source>
-        <translation type="unfinished"></translation>
+        <translation>vor</translation>
     </message>
     <message>
         <source>bwd</source>
-        <translation type="unfinished"></translation>
+        <translation>rück</translation>
     </message>
     <message>
         <source>bwdfwd</source>
-        <translation type="unfinished"></translation>
+        <translation>rü-vo</translation>
     </message>
     <message>
         <source>fwdbwd</source>
-        <translation type="unfinished"></translation>
+        <translation>vo-rü</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished"></translation>
+        <translation>hoch</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished">runter</translation>
+        <translation>runt.</translation>
     </message>
     <message>
         <source>downup</source>
-        <translation type="unfinished"></translation>
+        <translation>ru-ho</translation>
     </message>
     <message>
         <source>kick</source>
-        <translation type="unfinished"></translation>
+        <translation>Tritt</translation>
     </message>
     <message>
         <source>punch</source>
-        <translation type="unfinished"></translation>
+        <translation>Schl.</translation>
     </message>
     <message>
         <source>L-L</source>
-        <translation type="unfinished"></translation>
+        <translation>L-L</translation>
     </message>
     <message>
         <source>L-R</source>
-        <translation type="unfinished"></translation>
+        <translation>L-R</translation>
     </message>
     <message>
         <source>L-F</source>
-        <translation type="unfinished"></translation>
+        <translation>L-F</translation>
     </message>
     <message>
         <source>R-L</source>
-        <translation type="unfinished"></translation>
+        <translation>R-L</translation>
     </message>
     <message>
         <source>R-R</source>
-        <translation type="unfinished"></translation>
+        <translation>R-R</translation>
     </message>
     <message>
         <source>R-F</source>
-        <translation type="unfinished"></translation>
+        <translation>R-F</translation>
     </message>
     <message>
         <source>F-L</source>
-        <translation type="unfinished"></translation>
+        <translation>F-L</translation>
     </message>
     <message>
         <source>F-R</source>
-        <translation type="unfinished"></translation>
+        <translation>F-R</translation>
     </message>
     <message>
         <source>F-F</source>
-        <translation type="unfinished"></translation>
+        <translation>F-F</translation>
     </message>
 </context>
 <context>
@@ -7056,7 +7076,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>First frame of the %1</source>
-        <translation>Erster Frame: %1</translation>
+        <translation>Erstes Frame: %1</translation>
     </message>
     <message>
         <source>Last frame of the %1</source>
@@ -7210,7 +7230,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>Moves the key to that frame</source>
-        <translation>Verschiebt die Pose auf diesen Frame</translation>
+        <translation>Verschiebt die Pose auf dieses Frame</translation>
     </message>
     <message>
         <source>Later keys go as many frames along</source>
@@ -7269,7 +7289,7 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
     </message>
     <message>
         <source>Which moment; arrow keys go on by one frame</source>
-        <translation>Welcher Zeitpunkt; Pfeiltasten gehen einen Frame weiter</translation>
+        <translation>Welcher Zeitpunkt; Pfeiltasten gehen ein Frame weiter</translation>
     </message>
     <message>
         <source>Frame of the take or clip</source>

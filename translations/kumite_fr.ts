@@ -201,1243 +201,1263 @@
     </message>
     <message>
         <source>cannot be read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>lecture impossible : %1.</translation>
     </message>
     <message>
         <source>cannot read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>lecture impossible : %1.</translation>
     </message>
     <message>
         <source>cannot write: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>écriture impossible : %1.</translation>
     </message>
     <message>
         <source>cannot make this folder: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>impossible de créer ce dossier : %1.</translation>
     </message>
     <message>
         <source>is a folder, expected a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>est un dossier, un fichier était attendu.</translation>
     </message>
     <message>
         <source>is no regular file; save it as one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas un fichier ordinaire ; mettez-en d’abord le contenu dans un fichier.</translation>
     </message>
     <message>
         <source>is a folder, expected a file to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>est un dossier, un fichier à écrire était attendu.</translation>
     </message>
     <message>
         <source>is what is read here; write to another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>est justement ce qui est lu ici ; écrivez dans un autre fichier.</translation>
     </message>
     <message>
         <source>there is no such file.</source>
-        <translation type="unfinished"></translation>
+        <translation>ce fichier n’existe pas.</translation>
     </message>
     <message>
         <source>Every motion has too few frames for %1 key poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tous les mouvements ont trop peu d’images pour %1 poses clés.</translation>
     </message>
     <message>
         <source>There is no frame of %1 to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a aucune image de %1 à écrire.</translation>
     </message>
     <message>
         <source>The file holds %1 skeletons: %2. The first is read unless --root names another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le fichier contient %1 squelettes : %2. Le premier est lu, sauf si --root en nomme un autre.</translation>
     </message>
     <message>
         <source>found several skeletons beside it (%1), expected one (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>plusieurs squelettes à côté (%1), un seul était attendu (nommez-le avec --asf)</translation>
     </message>
     <message>
         <source>found %1, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>trouvé : %1 ; attendu : %2</translation>
     </message>
     <message>
         <source>the end of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>la fin du fichier</translation>
     </message>
     <message>
         <source>only the %1 channels that CHANNELS announces</source>
-        <translation type="unfinished"></translation>
+        <translation>seulement les %1 canaux qu’annonce CHANNELS</translation>
     </message>
     <message>
         <source>A split by takes needs two takes or more with labelled transitions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une répartition par prises demande au moins deux prises dont des transitions sont étiquetées.</translation>
     </message>
     <message>
         <source>There are too few labelled transitions to set some apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il y a trop peu de transitions étiquetées pour en mettre de côté.</translation>
     </message>
     <message>
         <source>For labelling, these joints take their parents&apos; place: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pour l’étiquetage, ces articulations prennent la place de leur parent : %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no aspect of the vocabulary %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » ne nomme aucun aspect du vocabulaire %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no qualifier of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » ne nomme aucun qualificatif de %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names an aspect twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » nomme deux fois un même aspect.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après %1, une confiance est attendue, comme 0.6 ou 60 %.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après %1, une confiance est attendue, comme 0.6 ou 60 %, et non %2.</translation>
     </message>
     <message>
         <source>Say whether the confidence is &quot;below %1&quot; or &quot;above %1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dites si la confiance est inférieure (« below %1 ») ou supérieure (« above %1 »).</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après %1, un temps est attendu, comme %2.</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2, not %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après %1, un temps est attendu, comme %2, et non %3.</translation>
     </message>
     <message>
         <source>After %1 two times are expected, such as 0:30 to 1:00.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après %1, deux temps sont attendus, comme 0:30 to 1:00.</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après %1, 1 ou 2 est attendu.</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Après %1, 1 ou 2 est attendu, et non %2.</translation>
     </message>
     <message>
         <source>There is no take %1; the takes are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de prise %1 ; les prises sont %2.</translation>
     </message>
     <message>
         <source>Say which take; the takes are %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dites quelle prise ; les prises sont %1.</translation>
     </message>
     <message>
         <source>No aspect has a &quot;strike&quot;: %1 will never find anything to react to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun aspect n’a de « strike » : %1 ne trouvera jamais rien à quoi réagir.</translation>
     </message>
     <message>
         <source>The key %1 stands for both %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>La touche %1 désigne à la fois %2 et %3.</translation>
     </message>
     <message>
         <source>In %1 the key %2 stands for both %3 and %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dans %1, la touche %2 désigne à la fois %3 et %4.</translation>
     </message>
     <message>
         <source>The target has no %1: their turns go to the joints below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque à la cible : %1. Leurs rotations passent aux articulations en dessous.</translation>
     </message>
     <message>
         <source>The source has no %1: they keep their rest relative to their parent.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque à la source : %1. Ces articulations gardent leur pose de repos par rapport à leur parent.</translation>
     </message>
     <message>
         <source>No joint was found for: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune articulation trouvée pour : %1.</translation>
     </message>
     <message>
         <source>Joint %1 does not stand behind its parent.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’articulation %1 ne vient pas après son parent.</translation>
     </message>
     <message>
         <source>The channels of joint %1 do not follow the ones before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les canaux de l’articulation %1 ne font pas suite aux précédents.</translation>
     </message>
     <message>
         <source>The End Site %1 has channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le End Site %1 a des canaux.</translation>
     </message>
     <message>
         <source>The offset of joint %1 is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le décalage de l’articulation %1 n’est pas un nombre fini.</translation>
     </message>
     <message>
         <source>Frame 0 is a rest pose, not motion; takes leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image 0 est une pose de repos, pas un mouvement ; les prises l’omettent.</translation>
     </message>
     <message>
         <source>Frames 0 to %1 are a rest pose, not motion; takes leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images 0 à %1 sont une pose de repos, pas un mouvement ; les prises les omettent.</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 n’a aucune limite près de l’image %2.</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2; the nearest is at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 n’a aucune limite près de l’image %2 ; la plus proche est à l’image %3.</translation>
     </message>
     <message>
         <source>the recording is missing; its boundaries cannot be edited.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement manque ; ses limites ne peuvent pas être modifiées.</translation>
     </message>
     <message>
         <source>A time offset must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un décalage temporel doit être un nombre.</translation>
     </message>
     <message>
         <source>A placement must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une place doit être donnée en nombres.</translation>
     </message>
     <message>
         <source>The floor&apos;s height must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>La hauteur du sol doit être un nombre.</translation>
     </message>
     <message>
         <source>There is a take named &quot;%1&quot; already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il y a déjà une prise nommée « %1 ».</translation>
     </message>
     <message>
         <source>%1 has another skeleton: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a un autre squelette : ce n’est pas l’enregistrement qui manque.</translation>
     </message>
     <message>
         <source>the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’extension dit quoi écrire : .bvh, .glb, .npz, .csv, .json ou .eaf.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be written without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement manque ; la prise ne peut pas être écrite sans lui.</translation>
     </message>
     <message>
         <source>a graph is written as .csv, .json or .graphml.</source>
-        <translation type="unfinished"></translation>
+        <translation>un graphe s’écrit en .csv, .json ou .graphml.</translation>
     </message>
     <message>
         <source>there is no joint named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune articulation ne se nomme « %1 » ; il y a : %2.</translation>
     </message>
     <message>
         <source>the name holds bytes that are no UTF-8 text; rename the file or folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>le nom contient des octets qui ne sont pas du texte UTF-8 ; renommez le fichier ou le dossier.</translation>
     </message>
     <message>
         <source>the key pose of clip &quot;%1&quot; is not in the project</source>
-        <translation type="unfinished"></translation>
+        <translation>la pose clé du clip « %1 » n’est pas dans le projet</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no source.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas une source.</translation>
     </message>
     <message>
         <source>labels are written as .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>les étiquettes s’écrivent en .csv, .json ou .eaf.</translation>
     </message>
     <message>
         <source>labels are read from .csv, .json and .eaf files.</source>
-        <translation type="unfinished"></translation>
+        <translation>les étiquettes se lisent dans des fichiers .csv, .json et .eaf.</translation>
     </message>
     <message>
         <source>the project has no take &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>le projet n’a pas de prise « %1 ».</translation>
     </message>
     <message>
         <source>the take has no such fighter.</source>
-        <translation type="unfinished"></translation>
+        <translation>la prise n’a pas ce combattant.</translation>
     </message>
     <message>
         <source>no action there.</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune action à cet endroit.</translation>
     </message>
     <message>
         <source>its action takes the label of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>son action reçoit l’étiquette de %1.</translation>
     </message>
     <message>
         <source>no joint has the role pelvis, so its actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune articulation n’a le rôle de bassin, ses actions ne peuvent donc pas être comparées.</translation>
     </message>
     <message>
         <source>the recording is missing; its actions cannot be labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement manque ; ses actions ne peuvent pas être étiquetées.</translation>
     </message>
     <message>
         <source>has no body with two legs; it is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’a pas de corps à deux jambes ; il est laissé de côté.</translation>
     </message>
     <message>
         <source>%1 It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Il est laissé de côté.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: expected frames as A:B after the @.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » : après le @, des images sont attendues sous la forme A:B.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: these frames are not in it; it has %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » : ces images n’y sont pas ; il y a les images %2 à %3.</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune action de la bibliothèque n’est étiquetée « %1 ».</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot; of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune action de ce combattant n’est étiquetée « %1 » dans la bibliothèque.</translation>
     </message>
     <message>
         <source>None of these clips is of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun de ces clips n’est de ce combattant.</translation>
     </message>
     <message>
         <source>joint &quot;%1&quot; is gone; the role %2 has no joint now.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’articulation « %1 » a disparu ; le rôle %2 n’a plus d’articulation.</translation>
     </message>
     <message>
         <source>%1 The recording is left out; its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 L’enregistrement est laissé de côté ; ses corrections sont gardées.</translation>
     </message>
     <message>
         <source>the recording is missing; put it back or relink it. Its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement manque ; remettez-le en place ou reliez-le. Ses corrections sont gardées.</translation>
     </message>
     <message>
         <source>the recording has changed since it became part of the project; check the boundaries, then relink it to accept the change.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement a changé depuis son entrée dans le projet ; vérifiez les limites, puis reliez-le pour accepter le changement.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be shown without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’enregistrement manque ; la prise ne peut pas être affichée sans lui.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; the project has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune prise ne se nomme « %1 » ; le projet n’en a aucune.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune prise ne se nomme « %1 » ; il y a : %2.</translation>
     </message>
     <message>
         <source>no contact force without a body; no joint has the role %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>pas de force de contact sans corps ; aucune articulation n’a le rôle %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; of fighter %2 is no correction without a minimum.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » du combattant %2 n’est pas une correction sans minimum.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; leaves no boundary that could be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » ne laisse aucune limite à ajouter.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be reached: the nearest target that can is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » est hors d’atteinte : la cible la plus proche qu’on puisse atteindre est %2.</translation>
     </message>
     <message>
         <source>What was saved before could not be kept. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>L’état enregistré précédemment n’a pas pu être gardé. %1</translation>
     </message>
     <message>
         <source>holds %1 frames only; the take ends there for this fighter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>frames %1 cannot be taken from a recording of %2 frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>ne contient que %1 images ; la prise s’arrête là pour ce combattant.</translation>
     </message>
     <message>
         <source>holds %1 frames now, the take begins at frame %2; the recording is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>contient maintenant %1 images, or la prise commence à l’image %2 ; l’enregistrement est laissé de côté.</translation>
     </message>
     <message>
         <source>holds %1 frames now; the take ends there.</source>
-        <translation type="unfinished"></translation>
+        <translation>contient maintenant %1 images ; la prise s’arrête là.</translation>
     </message>
     <message>
         <source>a cutoff of %1 Hz smooths nothing at %2 frames a second; choose one below %3 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>une coupure de %1 Hz ne lisse rien à %2 images par seconde ; choisissez-la en dessous de %3 Hz.</translation>
     </message>
     <message>
         <source>the annotation &quot;%1&quot; has no time and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>l’annotation « %1 » n’a pas de temps et est laissée de côté.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no action that can be asked for; there are %2, what they strike with, and ASPECT:QUALIFIER.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas une action qu’on puisse demander ; on peut demander %2, leur genre de frappe, ou ASPECT:QUALIFIER.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » manque.</translation>
     </message>
     <message>
         <source>expected a list.</source>
-        <translation type="unfinished"></translation>
+        <translation>une liste est attendue.</translation>
     </message>
     <message>
         <source>expected an object.</source>
-        <translation type="unfinished"></translation>
+        <translation>un objet est attendu.</translation>
     </message>
     <message>
         <source>expected a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre entier est attendu.</translation>
     </message>
     <message>
         <source>expected a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre est attendu.</translation>
     </message>
     <message>
         <source>expected a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre fini est attendu.</translation>
     </message>
     <message>
         <source>expected a number above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre supérieur à 0 est attendu.</translation>
     </message>
     <message>
         <source>expected true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>true ou false est attendu.</translation>
     </message>
     <message>
         <source>expected text.</source>
-        <translation type="unfinished"></translation>
+        <translation>un texte est attendu.</translation>
     </message>
     <message>
         <source>expected 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre supérieur ou égal à 0 est attendu.</translation>
     </message>
     <message>
         <source>expected [begin, end] with 0 &lt;= begin &lt; end.</source>
-        <translation type="unfinished"></translation>
+        <translation>[début, fin] est attendu, avec 0 &lt;= début &lt; fin.</translation>
     </message>
     <message>
         <source>expected an object with &quot;key_poses&quot;: 1, &quot;rate&quot; and &quot;keys&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>un objet avec &quot;key_poses&quot;: 1, &quot;rate&quot; et &quot;keys&quot; est attendu.</translation>
     </message>
     <message>
         <source>expected a colour like #3a86d8.</source>
-        <translation type="unfinished"></translation>
+        <translation>une couleur comme #3a86d8 est attendue.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » n’est pas un rôle d’articulation.</translation>
     </message>
     <message>
         <source>is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas un rôle d’articulation.</translation>
     </message>
     <message>
         <source>is no vocabulary: it has no &quot;vocabulary&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas un vocabulaire : il n’a pas de version &quot;vocabulary&quot;.</translation>
     </message>
     <message>
         <source>is the id of two qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>est l’identifiant de deux qualificatifs.</translation>
     </message>
     <message>
         <source>is the id of two aspects.</source>
-        <translation type="unfinished"></translation>
+        <translation>est l’identifiant de deux aspects.</translation>
     </message>
     <message>
         <source>is the name of two takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>est le nom de deux prises.</translation>
     </message>
     <message>
         <source>a take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>une prise a un ou deux combattants.</translation>
     </message>
     <message>
         <source>a vocabulary has one aspect or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>un vocabulaire a au moins un aspect.</translation>
     </message>
     <message>
         <source>an aspect has two qualifiers or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>un aspect a au moins deux qualificatifs.</translation>
     </message>
     <message>
         <source>is none of the qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est aucun des qualificatifs.</translation>
     </message>
     <message>
         <source>there is no aspect &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>il n’y a pas d’aspect « %1 ».</translation>
     </message>
     <message>
         <source>The system&apos;s OpenSSL library cannot compute SHA-256.</source>
-        <translation type="unfinished"></translation>
+        <translation>La bibliothèque OpenSSL du système ne sait pas calculer SHA-256.</translation>
     </message>
     <message>
         <source>A demo bout lasts from 1 second to 24 hours; %1 seconds were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un combat de démonstration dure de 1 seconde à 24 heures ; %1 secondes ont été demandées.</translation>
     </message>
     <message>
         <source>A demo bout has 24 to 240 frames a second; %1 were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un combat de démonstration a de 24 à 240 images par seconde ; %1 ont été demandées.</translation>
     </message>
     <message>
         <source>There is no key pose to make a motion of.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de pose clé dont faire un mouvement.</translation>
     </message>
     <message>
         <source>The library holds no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>La bibliothèque ne contient aucun mouvement.</translation>
     </message>
     <message>
         <source>There is no key at frame %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de clé à l’image %1.</translation>
     </message>
     <message>
         <source>Frame %1 is not behind the key before.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image %1 ne vient pas après la clé précédente.</translation>
     </message>
     <message>
         <source>Keys can be brought nearer or farther by a factor above 0 only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les clés ne peuvent être rapprochées ou éloignées que d’un facteur supérieur à 0.</translation>
     </message>
     <message>
         <source>Keys cannot be brought that far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les clés ne peuvent pas être déplacées aussi loin.</translation>
     </message>
     <message>
         <source>Key poses need a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poses clés demandent un squelette.</translation>
     </message>
     <message>
         <source>Key poses need a rate above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poses clés demandent une cadence supérieure à 0.</translation>
     </message>
     <message>
         <source>The key at frame %1 is a pose of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>La clé à l’image %1 est une pose d’un autre squelette.</translation>
     </message>
     <message>
         <source>The key at frame %1 comes after one at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La clé à l’image %1 vient après une clé à l’image %2.</translation>
     </message>
     <message>
         <source>Frames %1:%2 are not in the take, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images %1:%2 ne sont pas dans la prise, qui en a %3.</translation>
     </message>
     <message>
         <source>The part comes from another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>La partie vient d’un autre squelette.</translation>
     </message>
     <message>
         <source>Frames %1 to %2 are not in the source, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images %1 à %2 ne sont pas dans la source, qui en a %3.</translation>
     </message>
     <message>
         <source>There is no key pose to look for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de pose clé à chercher.</translation>
     </message>
     <message>
         <source>At most 1000 key poses can be looked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>On peut chercher 1000 poses clés au plus.</translation>
     </message>
     <message>
         <source>Every key pose needs its features and its frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chaque pose clé a besoin de ses traits et de son image.</translation>
     </message>
     <message>
         <source>Key poses must stand in the order of their frames, one per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poses clés doivent suivre l’ordre de leurs images, une par image.</translation>
     </message>
     <message>
         <source>Two examples of the strike cannot be aligned in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Deux exemples de la frappe ne peuvent pas être alignés dans le temps.</translation>
     </message>
     <message>
         <source>There is no example of the strike to blend.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a aucun exemple de la frappe à mélanger.</translation>
     </message>
     <message>
         <source>The skeleton has no %1: its roles tell nothing that could hit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque au squelette : %1. Ses rôles n’indiquent rien qui puisse frapper.</translation>
     </message>
     <message>
         <source>Strike &quot;%1&quot; is of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>La frappe « %1 » est d’un autre squelette.</translation>
     </message>
     <message>
         <source>Feature poses must come in pairs, one of the query and one of the clip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poses à comparer vont par paires, l’une de la requête, l’autre du clip.</translation>
     </message>
     <message>
         <source>Feature poses must follow each other in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les poses à comparer doivent se suivre dans le temps.</translation>
     </message>
     <message>
         <source>An AMC file does not say its frame rate: 120 Hz is assumed; give another with --rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un fichier AMC ne dit pas sa cadence : 120 Hz est supposé ; donnez-en une autre avec --rate.</translation>
     </message>
     <message>
         <source>Frame %1, the last, is cut: it is dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image %1, la dernière, est tronquée : elle est abandonnée.</translation>
     </message>
     <message>
         <source>Frame %1 does not follow the one before it by number: the frames are taken one after the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le numéro de l’image %1 ne suit pas celui de la précédente : les images sont prises l’une après l’autre.</translation>
     </message>
     <message>
         <source>found %1 numbers, expected %2 for bone %3 in frame %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nombres au lieu de %2 pour l’os %3 à l’image %4</translation>
     </message>
     <message>
         <source>found no line for bone %1 in frame %2, expected one for each bone with a dof</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune ligne pour l’os %1 à l’image %2 ; il en faut une pour chaque os qui a un dof</translation>
     </message>
     <message>
         <source>found %1, expected a unit of length greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>trouvé : %1 ; attendu : une unité de longueur supérieure à zéro</translation>
     </message>
     <message>
         <source>found a bone without name, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>un os n’a pas de nom, il lui en faut un</translation>
     </message>
     <message>
         <source>found a second bone %1, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>un deuxième os %1, un seul était attendu</translation>
     </message>
     <message>
         <source>found bone %1 a second time, expected one parent for each</source>
-        <translation type="unfinished"></translation>
+        <translation>l’os %1 apparaît une deuxième fois ; chacun n’a qu’un parent</translation>
     </message>
     <message>
         <source>found bone %1 that does not hang on the root, expected it in :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>l’os %1 n’est pas rattaché à la racine ; il devrait l’être dans :hierarchy</translation>
     </message>
     <message>
         <source>found a skeleton without any dof, expected an order for the root</source>
-        <translation type="unfinished"></translation>
+        <translation>le squelette n’a aucun dof ; order était attendu pour la racine</translation>
     </message>
     <message>
         <source>Bone %1 changes its length: that is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’os %1 change de longueur : ce n’est pas pris en compte.</translation>
     </message>
     <message>
         <source>found more joints than a skeleton can have, expected %1 at most</source>
-        <translation type="unfinished"></translation>
+        <translation>trop d’articulations pour un squelette, %1 au plus</translation>
     </message>
     <message>
         <source>%1 has no OFFSET: taken as 0 0 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’a pas d’OFFSET : 0 0 0 est supposé.</translation>
     </message>
     <message>
         <source>%1 has channels or children: read as a joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a des canaux ou des enfants : lu comme une articulation.</translation>
     </message>
     <message>
         <source>found a second %1, expected one in joint %2</source>
-        <translation type="unfinished"></translation>
+        <translation>un deuxième %1 dans l’articulation %2, un seul était attendu</translation>
     </message>
     <message>
         <source>found a skeleton without any channel, expected CHANNELS</source>
-        <translation type="unfinished"></translation>
+        <translation>le squelette n’a aucun canal, CHANNELS était attendu</translation>
     </message>
     <message>
         <source>found %1 numbers after Frame Time, expected at least one frame of %2 numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nombres après Frame Time ; il faut au moins une image de %2 nombres</translation>
     </message>
     <message>
         <source>found more frames than can be counted, expected fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>plus d’images qu’on n’en peut compter, il en faut moins</translation>
     </message>
     <message>
         <source>A .glb file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un fichier .glb ne peut pas dépasser 4 Go : exportez une plage plus courte.</translation>
     </message>
     <message>
         <source>There is no figure to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de figure à écrire.</translation>
     </message>
     <message>
         <source>A glTF skeleton cannot have more than 65 535 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un squelette glTF ne peut pas avoir plus de 65 535 articulations.</translation>
     </message>
     <message>
         <source>is not valid JSON here.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas du JSON valide ici.</translation>
     </message>
     <message>
         <source>holds a number that is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>contient un nombre trop grand.</translation>
     </message>
     <message>
         <source>A .npz file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un fichier .npz ne peut pas dépasser 4 Go : exportez une plage plus courte.</translation>
     </message>
     <message>
         <source>found no skeleton beside it, expected an .asf file (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>aucun squelette à côté, un fichier .asf était attendu (nommez-le avec --asf)</translation>
     </message>
     <message>
         <source>found an ASF skeleton, which holds no motion, expected the .amc file that belongs to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>found %1 file, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
-        <translation type="unfinished"></translation>
+        <translation>c’est un squelette ASF, qui ne contient pas de mouvement ; le fichier .amc qui va avec était attendu.</translation>
     </message>
     <message>
         <source>The recording holds no skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’enregistrement ne contient pas de squelette.</translation>
     </message>
     <message>
         <source>found UTF-16 text, expected plain text (save the file as UTF-8)</source>
-        <translation type="unfinished"></translation>
+        <translation>c’est du texte UTF-16, du texte simple était attendu (enregistrez le fichier en UTF-8)</translation>
     </message>
     <message>
         <source>has a quote that is not closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>a un guillemet qui n’est pas fermé.</translation>
     </message>
     <message>
         <source>No joint has the role pelvis: actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune articulation n’a le rôle de bassin : les actions ne peuvent pas être comparées.</translation>
     </message>
     <message>
         <source>Nothing stands before &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a rien avant « or ».</translation>
     </message>
     <message>
         <source>Nothing stands after &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a rien après « or ».</translation>
     </message>
     <message>
         <source>Something is missing after &quot;not&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il manque quelque chose après « not ».</translation>
     </message>
     <message>
         <source>Points to be aligned must come in pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les points à aligner vont par paires.</translation>
     </message>
     <message>
         <source>Points to be aligned need a weight above zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les points à aligner ont besoin d’un poids supérieur à zéro.</translation>
     </message>
     <message>
         <source>A rate must be a positive number of frames a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une cadence doit être un nombre positif d’images par seconde.</translation>
     </message>
     <message>
         <source>Foot locking needs a frame to show.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le verrouillage des pieds demande une image à montrer.</translation>
     </message>
     <message>
         <source>Foot locking needs to know of every frame which feet stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le verrouillage des pieds doit savoir, pour chaque image, quels pieds sont posés.</translation>
     </message>
     <message>
         <source>A clip without frames cannot be joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un clip sans images ne peut pas être raccordé.</translation>
     </message>
     <message>
         <source>Clips can be joined only at one rate and on one skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des clips ne se raccordent qu’à la même cadence et sur le même squelette.</translation>
     </message>
     <message>
         <source>A motion needs a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un mouvement demande un squelette.</translation>
     </message>
     <message>
         <source>A motion&apos;s frame time must be a positive number of seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>La durée d’image d’un mouvement doit être un nombre positif de secondes.</translation>
     </message>
     <message>
         <source>A motion&apos;s channel values do not fill its frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les valeurs de canaux d’un mouvement ne remplissent pas ses images.</translation>
     </message>
     <message>
         <source>A channel value is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une valeur de canal n’est pas un nombre fini.</translation>
     </message>
     <message>
         <source>A clip&apos;s rig does not have the joints of its motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le rig d’un clip n’a pas les articulations de son mouvement.</translation>
     </message>
     <message>
         <source>A clip of %1 joints cannot be written with the %2 joints of another skeleton: retarget it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un clip de %1 articulations ne peut pas être écrit avec les %2 articulations d’un autre squelette : faites d’abord un retargeting.</translation>
     </message>
     <message>
         <source>Ways are scaled by %1 for the legs&apos; lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les trajets sont mis à l’échelle (× %1) d’après la longueur des jambes.</translation>
     </message>
     <message>
         <source>%1 moves by up to %2 cm of its own, which is not kept: %3 carries the body.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 a un déplacement propre, jusqu’à %2 cm, qui n’est pas gardé : c’est %3 qui porte le corps.</translation>
     </message>
     <message>
         <source>The bone to %1 changes by up to %2 cm; its mean is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>La longueur de l’os menant à %1 varie, jusqu’à %2 cm ; sa moyenne est gardée.</translation>
     </message>
     <message>
         <source>No neck: the chest (%1) stands in for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas de cou : la poitrine (%1) le remplace.</translation>
     </message>
     <message>
         <source>The joint names say nothing; the roles were read off the skeleton&apos;s shape. Check left and right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les noms des articulations ne disent rien ; les rôles ont été lus d’après la forme du squelette. Vérifiez gauche et droite.</translation>
     </message>
     <message>
         <source>This skeleton is not a human body that is known here: it is shown and measured, but the contact force needs joint roles. Name them by hand if it is one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ce squelette n’est pas un corps humain connu ici : il est affiché et mesuré, mais la force de contact a besoin de rôles d’articulations. Si c’en est un, donnez-les à la main.</translation>
     </message>
     <message>
         <source>A skeleton needs at least one joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un squelette a besoin d’au moins une articulation.</translation>
     </message>
     <message>
         <source>A skeleton&apos;s channel count does not add up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nombre de canaux du squelette ne tombe pas juste.</translation>
     </message>
     <message>
         <source>The body lies along the x axis; y was taken for up. Say which axis is up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le corps est allongé le long de l’axe x ; y a été pris pour le haut. Dites quel axe est vertical.</translation>
     </message>
     <message>
         <source>Without legs the unit cannot be found; centimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sans jambes, l’unité est introuvable ; le centimètre est supposé.</translation>
     </message>
     <message>
         <source>The labels belong to another segmentation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les étiquettes appartiennent à une autre segmentation.</translation>
     </message>
     <message>
         <source>The differences belong to another segmentation or vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les différences appartiennent à une autre segmentation ou à un autre vocabulaire.</translation>
     </message>
     <message>
         <source>Fighter %1 has no removed boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 n’a aucune limite supprimée près de l’image %2.</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; move that one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 a une autre limite à l’image %2 ; déplacez d’abord celle-là.</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take, whose last frame is %2: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image %1 n’est pas dans la prise, dont la dernière image est %2 : une limite ne peut pas s’y trouver.</translation>
     </message>
     <message>
         <source>The boundary can move between its neighbours only: frames %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La limite ne peut se déplacer qu’entre ses voisines : images %1 à %2.</translation>
     </message>
     <message>
         <source>The boundary at frame %1 is an end of the take, which stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>La limite à l’image %1 est un bout de la prise, qui reste.</translation>
     </message>
     <message>
         <source>Take %1, player %2: its skeleton has other joints than that of the first take, so it is left out of bouts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prise %1, combattant %2 : son squelette a d’autres articulations que celui de la première prise, il est donc exclu des combats.</translation>
     </message>
     <message>
         <source>No action of player %1 begins in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune action du combattant %1 ne commence dans les images %2 à %3 de la prise %4.</translation>
     </message>
     <message>
         <source>Player %1 does not attack in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 n’attaque pas dans les images %2 à %3 de la prise %4.</translation>
     </message>
     <message>
         <source>Player %1 never attacks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 n’attaque jamais.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le dossier %1 ne peut pas être créé : %2.</translation>
     </message>
     <message>
         <source>The cutoff must be a positive number of Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>La coupure doit être un nombre positif de Hz.</translation>
     </message>
     <message>
         <source>The prominence must be a number of body weights, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>La proéminence doit être un nombre de poids du corps, supérieur ou égal à 0.</translation>
     </message>
     <message>
         <source>A take needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une prise doit avoir un nom.</translation>
     </message>
     <message>
         <source>A take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une prise a un ou deux combattants.</translation>
     </message>
     <message>
         <source>There is no such place in the list of takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cette place n’existe pas dans la liste des prises.</translation>
     </message>
     <message>
         <source>There is one fighter only: nothing to swap.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a qu’un combattant : rien à échanger.</translation>
     </message>
     <message>
         <source>The skeleton has no such joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le squelette n’a pas cette articulation.</translation>
     </message>
     <message>
         <source>%1 holds %2 frames, but the take reaches to frame %3: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 contient %2 images, mais la prise va jusqu’à l’image %3 : ce n’est pas l’enregistrement qui manque.</translation>
     </message>
     <message>
         <source>The placement cannot be written: neither the root nor a joint right below it has all position and rotation channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>La place ne peut pas être écrite : ni la racine ni une articulation juste en dessous n’a tous les canaux de position et de rotation.</translation>
     </message>
     <message>
         <source>A take is made of one or two recordings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une prise est faite d’un ou deux enregistrements.</translation>
     </message>
     <message>
         <source>The take&apos;s name holds bytes that are no UTF-8 text.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le nom de la prise contient des octets qui ne sont pas du texte UTF-8.</translation>
     </message>
     <message>
         <source>A frame rate lies between 1 and 10000 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une cadence est comprise entre 1 et 10000 Hz.</translation>
     </message>
     <message>
         <source>The recordings run at %1 and %2 Hz; each keeps its own rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les enregistrements sont à %1 et %2 Hz ; chacun garde sa cadence.</translation>
     </message>
     <message>
         <source>Take %1, player %2: no pelvis or no centre of mass is known, so its actions are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prise %1, combattant %2 : pas de bassin ou de centre de masse connu, ses actions sont donc laissées de côté.</translation>
     </message>
     <message>
         <source>Player %1: %2 of %3 actions have no label and are left out, with every transition that touches them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Combattant %1 : %2 actions sur %3 n’ont pas d’étiquette et sont laissées de côté, avec toutes les transitions qui y touchent.</translation>
     </message>
     <message>
         <source>No take of two has a recording of player %1 with the skeleton of the bout: it was removed since the bout was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune prise à deux n’a d’enregistrement du combattant %1 avec le squelette du combat : il a été supprimé depuis le début du combat.</translation>
     </message>
     <message>
         <source>An .eaf file holds one take: say which.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un fichier .eaf contient une seule prise : dites laquelle.</translation>
     </message>
     <message>
         <source>is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>est vide.</translation>
     </message>
     <message>
         <source>has no column %1; a label table needs begin_s, end_s and label.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’a pas de colonne %1 ; un tableau d’étiquettes demande begin_s, end_s et label.</translation>
     </message>
     <message>
         <source>holds no labels: it has neither &quot;kumite_labels&quot; nor &quot;players&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>ne contient pas d’étiquettes : il n’a ni &quot;kumite_labels&quot; ni &quot;players&quot;.</translation>
     </message>
     <message>
         <source>There is no action %1; the fighter has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas d’action %1 ; le combattant en a %2.</translation>
     </message>
     <message>
         <source>The vocabulary has no aspect %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le vocabulaire n’a pas d’aspect %1.</translation>
     </message>
     <message>
         <source>%1 has no qualifier %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’a pas de qualificatif %2.</translation>
     </message>
     <message>
         <source>The label belongs to another vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’étiquette appartient à un autre vocabulaire.</translation>
     </message>
     <message>
         <source>The thresholds of the rules must be numbers, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les seuils des règles doivent être des nombres supérieurs ou égaux à 0.</translation>
     </message>
     <message>
         <source>A cross-validation has two folds or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une validation croisée a au moins deux plis.</translation>
     </message>
     <message>
         <source>A library&apos;s rate lies between %1 and %2 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>La cadence d’une bibliothèque est comprise entre %1 et %2 Hz.</translation>
     </message>
     <message>
         <source>The library is empty: no source holds the motion of a body.</source>
-        <translation type="unfinished"></translation>
+        <translation>La bibliothèque est vide : aucune source ne contient le mouvement d’un corps.</translation>
     </message>
     <message>
         <source>The library has no clip &quot;%1&quot;; it has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>La bibliothèque n’a pas de clip « %1 » ; elle a %2.</translation>
     </message>
     <message>
         <source>None of these clips shows a hand or a foot that strikes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun de ces clips ne montre une main ou un pied qui frappe.</translation>
     </message>
     <message>
         <source>No strike of the %1 was found in &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune frappe de ce membre (%1) n’a été trouvée dans « %2 ».</translation>
     </message>
     <message>
         <source>%1 was not where the project says; the same recording was found at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’était pas là où le dit le projet ; le même enregistrement a été trouvé ici : %2.</translation>
     </message>
     <message>
         <source>%1 is there already: choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 existe déjà : choisissez un autre nom.</translation>
     </message>
     <message>
         <source>is a recording; make a project of it with kumite new.</source>
-        <translation type="unfinished"></translation>
+        <translation>est un enregistrement ; faites-en un projet avec kumite new.</translation>
     </message>
     <message>
         <source>is not a Kumite project: it has no &quot;kumite&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>n’est pas un projet Kumite : il n’a pas de version &quot;kumite&quot;.</translation>
     </message>
     <message>
         <source>was written by a newer Kumite (file version %1, this one reads up to %2); open it with that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>a été écrit par un Kumite plus récent (version de fichier %1, celui-ci lit jusqu’à %2) ; ouvrez-le avec ce dernier.</translation>
     </message>
     <message>
         <source>No motion from key poses of %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas de mouvement à partir de poses clés de %1 : %2</translation>
     </message>
     <message>
         <source>There is no clip to rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il n’y a pas de clip à évaluer.</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’image %1 n’est pas dans la prise : une limite ne peut pas s’y trouver.</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; forget this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 a une autre limite à l’image %2 ; oubliez celle-ci.</translation>
     </message>
     <message>
         <source>Fighter %1 has no action at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 n’a pas d’action à l’image %2.</translation>
     </message>
     <message>
         <source>The budget is a share of all actions, above 0 and at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le budget est une part de toutes les actions, supérieure à 0 et au plus égale à 1.</translation>
     </message>
     <message>
         <source>Player %1 has no labelled action that follows another labelled one: label more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 n’a aucune action étiquetée qui en suive une autre étiquetée : étiquetez-en davantage.</translation>
     </message>
     <message>
         <source>The captured attack holds no action.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’attaque capturée ne contient aucune action.</translation>
     </message>
     <message>
         <source>No take of two shows player %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune prise à deux ne montre le combattant %1.</translation>
     </message>
     <message>
         <source>The captured attack cannot be shown: its take is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’attaque capturée ne peut pas être montrée : sa prise manque.</translation>
     </message>
     <message>
         <source>Player %1 shows nothing but attacks outside of the captured one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hors de l’attaque capturée, le combattant %1 ne montre que des attaques.</translation>
     </message>
     <message>
         <source>No recorded moment shows both fighters labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun moment enregistré ne montre les deux combattants étiquetés.</translation>
     </message>
     <message>
         <source>Only a bout with an avatar can be steered.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seul un combat avec un avatar peut être guidé.</translation>
     </message>
     <message>
         <source>The library was made without an avatar&apos;s model.</source>
-        <translation type="unfinished"></translation>
+        <translation>La bibliothèque a été faite sans modèle d’avatar.</translation>
     </message>
     <message>
         <source>Player %1 never shows &quot;%2&quot; after another labelled action.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le combattant %1 ne montre jamais « %2 » après une autre action étiquetée.</translation>
     </message>
     <message>
         <source>A weight is 0 (never) or a positive factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Un poids vaut 0 (jamais) ou un facteur positif.</translation>
     </message>
     <message>
         <source>A temperature is 0 or positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une température est nulle ou positive.</translation>
     </message>
     <message>
         <source>No action of the avatar is followed by half a second of its take.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucune action de l’avatar n’est suivie d’une demi-seconde de sa prise.</translation>
     </message>
     <message>
         <source>The action has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>L’action n’a aucune image.</translation>
     </message>
     <message>
         <source>The threshold of pose clusters must be a positive number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le seuil des groupes de poses doit être un nombre positif.</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le bloc « %1 » n’a pas de mouvement.</translation>
     </message>
     <message>
         <source>Frames %1:%2 cannot be taken from &quot;%3&quot;, which has %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les images %1:%2 ne peuvent pas être prises dans « %3 », qui en a %4.</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le bloc « %1 » n’a aucune image.</translation>
     </message>
     <message>
         <source>The sequence has no block.</source>
-        <translation type="unfinished"></translation>
+        <translation>La séquence n’a aucun bloc.</translation>
     </message>
     <message>
         <source>There is no path in the graph between these two actions; choose a curve, or clips played backward.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le graphe n’a pas de chemin entre ces deux actions ; choisissez une courbe, ou des clips lus à l’envers.</translation>
     </message>
     <message>
         <source>There are %1 candidate paths, counted from 0: no path %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Il y a %1 chemins possibles, comptés à partir de 0 : pas de chemin %2.</translation>
     </message>
     <message>
         <source>A transition needs motion on both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Une transition demande du mouvement des deux côtés.</translation>
     </message>
     <message>
         <source>%1 (%2–%3 s, fighter %4): %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2–%3 s, combattant %4) : %5</translation>
     </message>
     <message>
         <source>at least one whole frame</source>
-        <translation type="unfinished"></translation>
+        <translation>au moins une image entière</translation>
     </message>
     <message>
         <source>the number of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>le numéro d’une image</translation>
     </message>
     <message>
         <source>a bone of the skeleton that has a dof, or the number of the frame after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>un os du squelette qui a un dof, ou le numéro de l’image qui suit %1</translation>
     </message>
     <message>
         <source>each bone once in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>chaque os une seule fois à l’image %1</translation>
     </message>
     <message>
         <source>a number for bone %1 in frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre pour l’os %1 à l’image %2</translation>
     </message>
     <message>
         <source>only %1 numbers for bone %2 in frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>seulement %1 nombres pour l’os %2 à l’image %3</translation>
     </message>
     <message>
         <source>a section of an ASF file, such as :units or :bonedata</source>
-        <translation type="unfinished"></translation>
+        <translation>une section de fichier ASF, comme :units ou :bonedata</translation>
     </message>
     <message>
         <source>the section :root</source>
-        <translation type="unfinished"></translation>
+        <translation>la section :root</translation>
     </message>
     <message>
         <source>the section :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>la section :hierarchy</translation>
     </message>
     <message>
         <source>deg or rad</source>
-        <translation type="unfinished"></translation>
+        <translation>deg ou rad</translation>
     </message>
     <message>
         <source>order, axis, position or orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>order, axis, position ou orientation</translation>
     </message>
     <message>
         <source>10000 bones at most</source>
-        <translation type="unfinished"></translation>
+        <translation>10000 os au plus</translation>
     </message>
     <message>
         <source>end, behind the last line of a bone</source>
-        <translation type="unfinished"></translation>
+        <translation>end, après la dernière ligne d’un os</translation>
     </message>
     <message>
         <source>the name of a bone of :bonedata, or end</source>
-        <translation type="unfinished"></translation>
+        <translation>le nom d’un os de :bonedata, ou end</translation>
     </message>
     <message>
         <source>an order of rotations, such as XYZ</source>
-        <translation type="unfinished"></translation>
+        <translation>un ordre de rotations, comme XYZ</translation>
     </message>
     <message>
         <source>each degree of freedom once</source>
-        <translation type="unfinished"></translation>
+        <translation>chaque degré de liberté une seule fois</translation>
     </message>
     <message>
         <source>OFFSET, CHANNELS, JOINT, End Site or } in joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>OFFSET, CHANNELS, JOINT, End Site ou } dans l’articulation %1</translation>
     </message>
     <message>
         <source>the number of channels, 0 to 6</source>
-        <translation type="unfinished"></translation>
+        <translation>le nombre de canaux, de 0 à 6</translation>
     </message>
     <message>
         <source>each channel once in a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>chaque canal une seule fois par articulation</translation>
     </message>
     <message>
         <source>channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation</source>
-        <translation type="unfinished"></translation>
+        <translation>canal %1 sur %2 : Xposition, Yposition, Zposition, Xrotation, Yrotation ou Zrotation</translation>
     </message>
     <message>
         <source>Frame Time:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Time:</translation>
     </message>
     <message>
         <source>Frames:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames:</translation>
     </message>
     <message>
         <source>a finite number with a decimal point</source>
-        <translation type="unfinished"></translation>
+        <translation>un nombre fini avec un point décimal</translation>
     </message>
     <message>
         <source>no action of the opponent at that time</source>
-        <translation type="unfinished"></translation>
+        <translation>aucune action de l’adversaire à ce moment</translation>
     </message>
     <message>
         <source>the opponent&apos;s action is no attack</source>
-        <translation type="unfinished"></translation>
+        <translation>l’action de l’adversaire n’est pas une attaque</translation>
     </message>
     <message>
         <source>stands left</source>
-        <translation type="unfinished"></translation>
+        <translation>appui gauche</translation>
     </message>
     <message>
         <source>stands right</source>
-        <translation type="unfinished"></translation>
+        <translation>appui droit</translation>
     </message>
     <message>
         <source>in the air</source>
-        <translation type="unfinished"></translation>
+        <translation>en suspension</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing only %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>attaque adverse (%1), approche à %2 m/s seulement</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>attaque adverse (%1), approche à %2 m/s</translation>
     </message>
     <message>
         <source>%1 at the beginning, %2 at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 au début, %2 à la fin</translation>
+    </message>
+    <message>
+        <source>There is no root %1; the recording has %2.</source>
+        <translation>Il n’y a pas de racine %1 ; l’enregistrement a %2.</translation>
+    </message>
+    <message>
+        <source>The body stands on its head most of the time: is up right?</source>
+        <translation>Le corps est la plupart du temps la tête en bas : l’axe vertical est-il juste ?</translation>
+    </message>
+    <message>
+        <source>The legs would be %1 m long: is the unit (%2) right?</source>
+        <translation>Les jambes auraient %1 m de long : l’unité (%2) est-elle juste ?</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
+        <translation>Par rapport aux jambes, les bras de la cible sont plus longs de %1 % : les mains n’atteignent pas les mêmes endroits.</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
+        <translation>Par rapport aux jambes, les bras de la cible sont plus courts de %1 % : les mains n’atteignent pas les mêmes endroits.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>frames %1:%2 cannot be taken from a recording of %3 frames.</source>
+        <translation>les images %1:%2 n’existent pas dans un enregistrement de %3 images.</translation>
+    </message>
+    <message>
+        <source>found %1 data, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
+        <translation>trouvé : données %1 ; attendu : BVH ou ASF/AMC. Importez le fichier dans Blender et exportez-le en Motion Capture (.bvh).</translation>
+    </message>
+    <message>
+        <source>the opponent&apos;s action is not labelled yet</source>
+        <translation>l’action de l’adversaire n’est pas encore étiquetée</translation>
     </message>
 </context>
 <context>
@@ -1451,162 +1471,162 @@
     <name>Role</name>
     <message>
         <source>pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>bassin</translation>
     </message>
     <message>
         <source>spine</source>
-        <translation type="unfinished"></translation>
+        <translation>colonne</translation>
     </message>
     <message>
         <source>chest</source>
-        <translation type="unfinished">poitrine</translation>
+        <translation>poitrine</translation>
     </message>
     <message>
         <source>neck</source>
-        <translation type="unfinished"></translation>
+        <translation>cou</translation>
     </message>
     <message>
         <source>head</source>
-        <translation type="unfinished">tête</translation>
+        <translation>tête</translation>
     </message>
     <message>
         <source>left clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>clavicule gauche</translation>
     </message>
     <message>
         <source>left shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>épaule gauche</translation>
     </message>
     <message>
         <source>left elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>coude gauche</translation>
     </message>
     <message>
         <source>left wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>poignet gauche</translation>
     </message>
     <message>
         <source>left hip</source>
-        <translation type="unfinished"></translation>
+        <translation>hanche gauche</translation>
     </message>
     <message>
         <source>left knee</source>
-        <translation type="unfinished"></translation>
+        <translation>genou gauche</translation>
     </message>
     <message>
         <source>left ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>cheville gauche</translation>
     </message>
     <message>
         <source>left toe</source>
-        <translation type="unfinished"></translation>
+        <translation>orteils gauches</translation>
     </message>
     <message>
         <source>right clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>clavicule droite</translation>
     </message>
     <message>
         <source>right shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>épaule droite</translation>
     </message>
     <message>
         <source>right elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>coude droit</translation>
     </message>
     <message>
         <source>right wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>poignet droit</translation>
     </message>
     <message>
         <source>right hip</source>
-        <translation type="unfinished"></translation>
+        <translation>hanche droite</translation>
     </message>
     <message>
         <source>right knee</source>
-        <translation type="unfinished"></translation>
+        <translation>genou droit</translation>
     </message>
     <message>
         <source>right ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>cheville droite</translation>
     </message>
     <message>
         <source>right toe</source>
-        <translation type="unfinished"></translation>
+        <translation>orteils droits</translation>
     </message>
 </context>
 <context>
     <name>ShortLabel</name>
     <message>
         <source>fwd</source>
-        <translation type="unfinished"></translation>
+        <translation>av</translation>
     </message>
     <message>
         <source>bwd</source>
-        <translation type="unfinished"></translation>
+        <translation>ar</translation>
     </message>
     <message>
         <source>bwdfwd</source>
-        <translation type="unfinished"></translation>
+        <translation>ar-av</translation>
     </message>
     <message>
         <source>fwdbwd</source>
-        <translation type="unfinished"></translation>
+        <translation>av-ar</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished"></translation>
+        <translation>↑</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished">descente</translation>
+        <translation>↓</translation>
     </message>
     <message>
         <source>downup</source>
-        <translation type="unfinished"></translation>
+        <translation>↓↑</translation>
     </message>
     <message>
         <source>kick</source>
-        <translation type="unfinished"></translation>
+        <translation>pied</translation>
     </message>
     <message>
         <source>punch</source>
-        <translation type="unfinished"></translation>
+        <translation>poing</translation>
     </message>
     <message>
         <source>L-L</source>
-        <translation type="unfinished"></translation>
+        <translation>G-G</translation>
     </message>
     <message>
         <source>L-R</source>
-        <translation type="unfinished"></translation>
+        <translation>G-D</translation>
     </message>
     <message>
         <source>L-F</source>
-        <translation type="unfinished"></translation>
+        <translation>G-S</translation>
     </message>
     <message>
         <source>R-L</source>
-        <translation type="unfinished"></translation>
+        <translation>D-G</translation>
     </message>
     <message>
         <source>R-R</source>
-        <translation type="unfinished"></translation>
+        <translation>D-D</translation>
     </message>
     <message>
         <source>R-F</source>
-        <translation type="unfinished"></translation>
+        <translation>D-S</translation>
     </message>
     <message>
         <source>F-L</source>
-        <translation type="unfinished"></translation>
+        <translation>S-G</translation>
     </message>
     <message>
         <source>F-R</source>
-        <translation type="unfinished"></translation>
+        <translation>S-D</translation>
     </message>
     <message>
         <source>F-F</source>
-        <translation type="unfinished"></translation>
+        <translation>S-S</translation>
     </message>
 </context>
 <context>

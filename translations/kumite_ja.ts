@@ -201,1243 +201,1263 @@
     </message>
     <message>
         <source>cannot be read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込めません: %1。</translation>
     </message>
     <message>
         <source>cannot read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込めません: %1。</translation>
     </message>
     <message>
         <source>cannot write: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き込めません: %1。</translation>
     </message>
     <message>
         <source>cannot make this folder: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>このフォルダーを作れません: %1。</translation>
     </message>
     <message>
         <source>is a folder, expected a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダーです。ファイルを指定してください。</translation>
     </message>
     <message>
         <source>is no regular file; save it as one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>通常のファイルではありません。まずファイルとして保存してください。</translation>
     </message>
     <message>
         <source>is a folder, expected a file to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダーです。書き込み先にはファイルを指定してください。</translation>
     </message>
     <message>
         <source>is what is read here; write to another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>読み込み中のファイルそのものです。別のファイルに書き込んでください。</translation>
     </message>
     <message>
         <source>there is no such file.</source>
-        <translation type="unfinished"></translation>
+        <translation>そのようなファイルはありません。</translation>
     </message>
     <message>
         <source>Every motion has too few frames for %1 key poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>どのモーションもフレームが足りず、キーポーズ%1個を取れません。</translation>
     </message>
     <message>
         <source>There is no frame of %1 to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き込む%1のフレームがありません。</translation>
     </message>
     <message>
         <source>The file holds %1 skeletons: %2. The first is read unless --root names another.</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルにスケルトンが%1個あります: %2。--rootで別のものを指定しない限り、最初のものを読み込みます。</translation>
     </message>
     <message>
         <source>found several skeletons beside it (%1), expected one (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ場所にスケルトンが複数あります (%1)。1つを--asfで指定してください</translation>
     </message>
     <message>
         <source>found %1, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>必要なのは%2ですが、見つかったのは%1です</translation>
     </message>
     <message>
         <source>the end of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>ファイルの終わり</translation>
     </message>
     <message>
         <source>only the %1 channels that CHANNELS announces</source>
-        <translation type="unfinished"></translation>
+        <translation>CHANNELSで宣言された%1チャンネルだけ</translation>
     </message>
     <message>
         <source>A split by takes needs two takes or more with labelled transitions.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイク単位で分けるには、ラベル付きの遷移があるテイクが2つ以上必要です。</translation>
     </message>
     <message>
         <source>There are too few labelled transitions to set some apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベル付きの遷移が少なすぎて、一部を取り分けられません。</translation>
     </message>
     <message>
         <source>For labelling, these joints take their parents&apos; place: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベル付けでは、次の関節に親の関節の位置を使います: %1。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no aspect of the vocabulary %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」に当たる観点は、語彙%2にありません。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no qualifier of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」に当たる修飾は、%2にありません。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names an aspect twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」に同じ観点が2回あります。</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の後には確信度が必要です。例: 0.6、60%。</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の後には確信度が必要です (例: 0.6、60%)。%2は使えません。</translation>
     </message>
     <message>
         <source>Say whether the confidence is &quot;below %1&quot; or &quot;above %1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>確信度は「below %1」か「above %1」のどちらかで指定してください。</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の後には時刻が必要です。例: %2。</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2, not %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の後には時刻が必要です (例: %2)。%3は使えません。</translation>
     </message>
     <message>
         <source>After %1 two times are expected, such as 0:30 to 1:00.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の後には時刻が2つ必要です。例: 0:30 to 1:00。</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の後には1か2が必要です。</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1の後には1か2が必要です。%2は使えません。</translation>
     </message>
     <message>
         <source>There is no take %1; the takes are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイク%1はありません。テイク: %2。</translation>
     </message>
     <message>
         <source>Say which take; the takes are %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>どのテイクかを指定してください。テイク: %1。</translation>
     </message>
     <message>
         <source>No aspect has a &quot;strike&quot;: %1 will never find anything to react to.</source>
-        <translation type="unfinished"></translation>
+        <translation>「strike」のある観点がないため、%1には反応する対象が見つかりません。</translation>
     </message>
     <message>
         <source>The key %1 stands for both %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>キー%1が%2と%3の両方に割り当てられています。</translation>
     </message>
     <message>
         <source>In %1 the key %2 stands for both %3 and %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1で、キー%2が%3と%4の両方に割り当てられています。</translation>
     </message>
     <message>
         <source>The target has no %1: their turns go to the joints below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>リターゲット先に%1がありません。その回転は下位の関節に移されます。</translation>
     </message>
     <message>
         <source>The source has no %1: they keep their rest relative to their parent.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
+        <translation>リターゲット元に%1がありません。親に対してレストポーズのままになります。</translation>
     </message>
     <message>
         <source>No joint was found for: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節が見つかりません: %1。</translation>
     </message>
     <message>
         <source>Joint %1 does not stand behind its parent.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節%1が親より後に並んでいません。</translation>
     </message>
     <message>
         <source>The channels of joint %1 do not follow the ones before.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節%1のチャンネルが、前の関節のチャンネルに続いていません。</translation>
     </message>
     <message>
         <source>The End Site %1 has channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>End Site %1にチャンネルがあります。</translation>
     </message>
     <message>
         <source>The offset of joint %1 is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節%1のオフセットが有限の数ではありません。</translation>
     </message>
     <message>
         <source>Frame 0 is a rest pose, not motion; takes leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム0は動きではなくレストポーズです。テイクには含めません。</translation>
     </message>
     <message>
         <source>Frames 0 to %1 are a rest pose, not motion; takes leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム0～%1は動きではなくレストポーズです。テイクには含めません。</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1には、フレーム%2の近くに境界がありません。</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2; the nearest is at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1には、フレーム%2の近くに境界がありません。最も近い境界は%3です。</translation>
     </message>
     <message>
         <source>the recording is missing; its boundaries cannot be edited.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録が見つからないため、境界を編集できません。</translation>
     </message>
     <message>
         <source>A time offset must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>時間オフセットは数にしてください。</translation>
     </message>
     <message>
         <source>A placement must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置は数にしてください。</translation>
     </message>
     <message>
         <source>The floor&apos;s height must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>床の高さは数にしてください。</translation>
     </message>
     <message>
         <source>There is a take named &quot;%1&quot; already.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」という名前のテイクはすでにあります。</translation>
     </message>
     <message>
         <source>%1 has another skeleton: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1はスケルトンが異なります。探している収録ではありません。</translation>
     </message>
     <message>
         <source>the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>拡張子で書き出す形式が決まります。.bvh、.glb、.npz、.csv、.json、.eafのいずれかにしてください。</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be written without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録が見つからないため、テイクを書き出せません。</translation>
     </message>
     <message>
         <source>a graph is written as .csv, .json or .graphml.</source>
-        <translation type="unfinished"></translation>
+        <translation>グラフは.csv、.json、.graphmlのいずれかで書き出します。</translation>
     </message>
     <message>
         <source>there is no joint named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」という名前の関節はありません。関節: %2。</translation>
     </message>
     <message>
         <source>the name holds bytes that are no UTF-8 text; rename the file or folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>名前にUTF-8でない文字が含まれています。ファイルかフォルダーの名前を変えてください。</translation>
     </message>
     <message>
         <source>the key pose of clip &quot;%1&quot; is not in the project</source>
-        <translation type="unfinished"></translation>
+        <translation>クリップ「%1」のキーポーズがプロジェクトにありません</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no source.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」は、ラベルを付けたものを表す語ではありません。</translation>
     </message>
     <message>
         <source>labels are written as .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベルは.csv、.json、.eafのいずれかで書き出します。</translation>
     </message>
     <message>
         <source>labels are read from .csv, .json and .eaf files.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベルは.csv、.json、.eafのファイルから読み込みます。</translation>
     </message>
     <message>
         <source>the project has no take &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>プロジェクトに「%1」というテイクはありません。</translation>
     </message>
     <message>
         <source>the take has no such fighter.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイクにその選手はいません。</translation>
     </message>
     <message>
         <source>no action there.</source>
-        <translation type="unfinished"></translation>
+        <translation>そこに動作はありません。</translation>
     </message>
     <message>
         <source>its action takes the label of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>この動作には、代わりに%1のラベルを使います。</translation>
     </message>
     <message>
         <source>no joint has the role pelvis, so its actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>役割「骨盤」の関節がないため、動作を比較できません。</translation>
     </message>
     <message>
         <source>the recording is missing; its actions cannot be labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録が見つからないため、動作にラベルを付けられません。</translation>
     </message>
     <message>
         <source>has no body with two legs; it is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>両脚のある体がないため、除外します。</translation>
     </message>
     <message>
         <source>%1 It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 除外します。</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: expected frames as A:B after the @.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」: @の後にはフレームをA:Bの形で指定してください。</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: these frames are not in it; it has %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」: フレームが範囲の外です。範囲は%2～%3です。</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブラリに「%1」のラベルが付いた動作はありません。</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot; of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブラリに、その選手の「%1」のラベルが付いた動作はありません。</translation>
     </message>
     <message>
         <source>None of these clips is of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>これらのクリップに、その選手のものはありません。</translation>
     </message>
     <message>
         <source>joint &quot;%1&quot; is gone; the role %2 has no joint now.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節「%1」がなくなったため、役割%2に関節がありません。</translation>
     </message>
     <message>
         <source>%1 The recording is left out; its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 収録は除外しますが、修正は残ります。</translation>
     </message>
     <message>
         <source>the recording is missing; put it back or relink it. Its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録が見つかりません。元の場所に戻すか、再リンクしてください。修正は残っています。</translation>
     </message>
     <message>
         <source>the recording has changed since it became part of the project; check the boundaries, then relink it to accept the change.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録が、プロジェクトに入れた後で変わっています。境界を確認してから再リンクすると、変更を受け入れます。</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be shown without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録が見つからないため、テイクを表示できません。</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; the project has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」という名前のテイクはありません。プロジェクトにテイクがありません。</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」という名前のテイクはありません。テイク: %2。</translation>
     </message>
     <message>
         <source>no contact force without a body; no joint has the role %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>体がないと接地力は求められません。役割%1の関節がありません。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; of fighter %2 is no correction without a minimum.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%2の「%1」は、極小のない修正ではありません。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; leaves no boundary that could be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」には、追加できる境界がありません。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be reached: the nearest target that can is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」には届きません。届く中で最も近いターゲットは%2です。</translation>
     </message>
     <message>
         <source>What was saved before could not be kept. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>前に保存した内容を残せませんでした。%1</translation>
     </message>
     <message>
         <source>holds %1 frames only; the take ends there for this fighter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>frames %1 cannot be taken from a recording of %2 frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1フレームしかありません。この選手のテイクはそこで終わります。</translation>
     </message>
     <message>
         <source>holds %1 frames now, the take begins at frame %2; the recording is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>今は%1フレームですが、テイクはフレーム%2から始まります。収録を除外します。</translation>
     </message>
     <message>
         <source>holds %1 frames now; the take ends there.</source>
-        <translation type="unfinished"></translation>
+        <translation>今は%1フレームです。テイクはそこで終わります。</translation>
     </message>
     <message>
         <source>a cutoff of %1 Hz smooths nothing at %2 frames a second; choose one below %3 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>毎秒%2フレームでは、%1 Hzのカットオフで何も平滑化されません。%3 Hz未満にしてください。</translation>
     </message>
     <message>
         <source>the annotation &quot;%1&quot; has no time and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>注釈「%1」には時刻がないため、除外します。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no action that can be asked for; there are %2, what they strike with, and ASPECT:QUALIFIER.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」は指示できる動作ではありません。指示できるのは%2、打つ部位、ASPECT:QUALIFIER (観点:修飾) です。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」がありません。</translation>
     </message>
     <message>
         <source>expected a list.</source>
-        <translation type="unfinished"></translation>
+        <translation>リストが必要です。</translation>
     </message>
     <message>
         <source>expected an object.</source>
-        <translation type="unfinished"></translation>
+        <translation>オブジェクトが必要です。</translation>
     </message>
     <message>
         <source>expected a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>整数が必要です。</translation>
     </message>
     <message>
         <source>expected a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>数が必要です。</translation>
     </message>
     <message>
         <source>expected a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>有限の数が必要です。</translation>
     </message>
     <message>
         <source>expected a number above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>0より大きい数が必要です。</translation>
     </message>
     <message>
         <source>expected true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>trueかfalseが必要です。</translation>
     </message>
     <message>
         <source>expected text.</source>
-        <translation type="unfinished"></translation>
+        <translation>テキストが必要です。</translation>
     </message>
     <message>
         <source>expected 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>0以上の数が必要です。</translation>
     </message>
     <message>
         <source>expected [begin, end] with 0 &lt;= begin &lt; end.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 &lt;= begin &lt; endを満たす[begin, end]が必要です。</translation>
     </message>
     <message>
         <source>expected an object with &quot;key_poses&quot;: 1, &quot;rate&quot; and &quot;keys&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;key_poses&quot;: 1、&quot;rate&quot;、&quot;keys&quot;を持つオブジェクトが必要です。</translation>
     </message>
     <message>
         <source>expected a colour like #3a86d8.</source>
-        <translation type="unfinished"></translation>
+        <translation>#3a86d8のような色が必要です。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」という関節の役割はありません。</translation>
     </message>
     <message>
         <source>is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節の役割ではありません。</translation>
     </message>
     <message>
         <source>is no vocabulary: it has no &quot;vocabulary&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>語彙ではありません。「vocabulary」のバージョンがありません。</translation>
     </message>
     <message>
         <source>is the id of two qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの修飾のIDになっています。</translation>
     </message>
     <message>
         <source>is the id of two aspects.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つの観点のIDになっています。</translation>
     </message>
     <message>
         <source>is the name of two takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>2つのテイクの名前になっています。</translation>
     </message>
     <message>
         <source>a take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイクの選手は1人か2人です。</translation>
     </message>
     <message>
         <source>a vocabulary has one aspect or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>語彙には観点が1つ以上必要です。</translation>
     </message>
     <message>
         <source>an aspect has two qualifiers or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>観点には修飾が2つ以上必要です。</translation>
     </message>
     <message>
         <source>is none of the qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>どの修飾でもありません。</translation>
     </message>
     <message>
         <source>there is no aspect &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」という観点はありません。</translation>
     </message>
     <message>
         <source>The system&apos;s OpenSSL library cannot compute SHA-256.</source>
-        <translation type="unfinished"></translation>
+        <translation>システムのOpenSSLライブラリではSHA-256を計算できません。</translation>
     </message>
     <message>
         <source>A demo bout lasts from 1 second to 24 hours; %1 seconds were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>デモ試合の長さは1秒～24時間です。指定: %1秒。</translation>
     </message>
     <message>
         <source>A demo bout has 24 to 240 frames a second; %1 were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>デモ試合のレートは毎秒24～240フレームです。指定: %1。</translation>
     </message>
     <message>
         <source>There is no key pose to make a motion of.</source>
-        <translation type="unfinished"></translation>
+        <translation>モーションの元になるキーポーズがありません。</translation>
     </message>
     <message>
         <source>The library holds no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブラリにモーションがありません。</translation>
     </message>
     <message>
         <source>There is no key at frame %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1にキーポーズはありません。</translation>
     </message>
     <message>
         <source>Frame %1 is not behind the key before.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1は、前のキーポーズより後ではありません。</translation>
     </message>
     <message>
         <source>Keys can be brought nearer or farther by a factor above 0 only.</source>
-        <translation type="unfinished"></translation>
+        <translation>キーポーズの間隔の倍率は、0より大きくしてください。</translation>
     </message>
     <message>
         <source>Keys cannot be brought that far.</source>
-        <translation type="unfinished"></translation>
+        <translation>キーポーズをそこまで離すことはできません。</translation>
     </message>
     <message>
         <source>Key poses need a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>キーポーズにはスケルトンが必要です。</translation>
     </message>
     <message>
         <source>Key poses need a rate above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>キーポーズのレートは0より大きくしてください。</translation>
     </message>
     <message>
         <source>The key at frame %1 is a pose of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1のキーポーズは、別のスケルトンのポーズです。</translation>
     </message>
     <message>
         <source>The key at frame %1 comes after one at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1のキーポーズが、フレーム%2のものより後に並んでいます。</translation>
     </message>
     <message>
         <source>Frames %1:%2 are not in the take, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1:%2はテイクの範囲の外です。テイクは%3フレームです。</translation>
     </message>
     <message>
         <source>The part comes from another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>部位が別のスケルトンのものです。</translation>
     </message>
     <message>
         <source>Frames %1 to %2 are not in the source, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1～%2は元の範囲の外です。元は%3フレームです。</translation>
     </message>
     <message>
         <source>There is no key pose to look for.</source>
-        <translation type="unfinished"></translation>
+        <translation>探すキーポーズがありません。</translation>
     </message>
     <message>
         <source>At most 1000 key poses can be looked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>一度に探せるキーポーズは1000個までです。</translation>
     </message>
     <message>
         <source>Every key pose needs its features and its frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>どのキーポーズにも、特徴とフレームが必要です。</translation>
     </message>
     <message>
         <source>Key poses must stand in the order of their frames, one per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>キーポーズはフレームの順に、1フレームに1つずつ並べてください。</translation>
     </message>
     <message>
         <source>Two examples of the strike cannot be aligned in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>打撃の2つの例を、時間方向に揃えられません。</translation>
     </message>
     <message>
         <source>There is no example of the strike to blend.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブレンドする打撃の例がありません。</translation>
     </message>
     <message>
         <source>The skeleton has no %1: its roles tell nothing that could hit.</source>
-        <translation type="unfinished"></translation>
+        <translation>スケルトンに%1がありません。役割に、当てられる部位がありません。</translation>
     </message>
     <message>
         <source>Strike &quot;%1&quot; is of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>打撃「%1」は別のスケルトンのものです。</translation>
     </message>
     <message>
         <source>Feature poses must come in pairs, one of the query and one of the clip.</source>
-        <translation type="unfinished"></translation>
+        <translation>特徴ポーズは、クエリ側とクリップ側を1つずつの対にしてください。</translation>
     </message>
     <message>
         <source>Feature poses must follow each other in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>特徴ポーズは時間順に並べてください。</translation>
     </message>
     <message>
         <source>An AMC file does not say its frame rate: 120 Hz is assumed; give another with --rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>AMCファイルにはフレームレートがないため、120 Hzとみなします。別の値は--rateで指定してください。</translation>
     </message>
     <message>
         <source>Frame %1, the last, is cut: it is dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>最後のフレーム%1は途中で切れているため、破棄します。</translation>
     </message>
     <message>
         <source>Frame %1 does not follow the one before it by number: the frames are taken one after the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1の番号が前のフレームから続いていません。フレームは並び順に読み込みます。</translation>
     </message>
     <message>
         <source>found %1 numbers, expected %2 for bone %3 in frame %4</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%4のボーン%3に必要なのは数値%2個ですが、見つかったのは%1個です</translation>
     </message>
     <message>
         <source>found no line for bone %1 in frame %2, expected one for each bone with a dof</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%2にボーン%1の行がありません。dofのあるボーンごとに1行必要です</translation>
     </message>
     <message>
         <source>found %1, expected a unit of length greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>必要なのは0より大きい長さの単位ですが、見つかったのは%1です</translation>
     </message>
     <message>
         <source>found a bone without name, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>ボーンに名前がありません。名前が必要です</translation>
     </message>
     <message>
         <source>found a second bone %1, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>ボーン%1が2つあります。1つだけにしてください</translation>
     </message>
     <message>
         <source>found bone %1 a second time, expected one parent for each</source>
-        <translation type="unfinished"></translation>
+        <translation>ボーン%1が2回出てきます。各ボーンの親は1つだけです</translation>
     </message>
     <message>
         <source>found bone %1 that does not hang on the root, expected it in :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>ボーン%1がルートにつながっていません。:hierarchyに必要です</translation>
     </message>
     <message>
         <source>found a skeleton without any dof, expected an order for the root</source>
-        <translation type="unfinished"></translation>
+        <translation>スケルトンにdofが1つもありません。ルートのorderが必要です</translation>
     </message>
     <message>
         <source>Bone %1 changes its length: that is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>ボーン%1の長さが変化しますが、その変化は使いません。</translation>
     </message>
     <message>
         <source>found more joints than a skeleton can have, expected %1 at most</source>
-        <translation type="unfinished"></translation>
+        <translation>関節が多すぎます。1つのスケルトンに使えるのは%1個までです</translation>
     </message>
     <message>
         <source>%1 has no OFFSET: taken as 0 0 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1にOFFSETがないため、0 0 0とみなします。</translation>
     </message>
     <message>
         <source>%1 has channels or children: read as a joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1にチャンネルか子があるため、関節として読み込みます。</translation>
     </message>
     <message>
         <source>found a second %1, expected one in joint %2</source>
-        <translation type="unfinished"></translation>
+        <translation>関節%2に2つ目の%1があります。1つだけにしてください</translation>
     </message>
     <message>
         <source>found a skeleton without any channel, expected CHANNELS</source>
-        <translation type="unfinished"></translation>
+        <translation>スケルトンにチャンネルが1つもありません。CHANNELSが必要です</translation>
     </message>
     <message>
         <source>found %1 numbers after Frame Time, expected at least one frame of %2 numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Timeの後の数値が%1個しかありません。少なくとも1フレーム分の%2個が必要です</translation>
     </message>
     <message>
         <source>found more frames than can be counted, expected fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームが数えきれないほどあります。減らしてください</translation>
     </message>
     <message>
         <source>A .glb file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>.glbファイルの上限は4 GBです。書き出す範囲を短くしてください。</translation>
     </message>
     <message>
         <source>There is no figure to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>書き出す人物がありません。</translation>
     </message>
     <message>
         <source>A glTF skeleton cannot have more than 65 535 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>glTFのスケルトンに使える関節は65 535個までです。</translation>
     </message>
     <message>
         <source>is not valid JSON here.</source>
-        <translation type="unfinished"></translation>
+        <translation>ここが正しいJSONではありません。</translation>
     </message>
     <message>
         <source>holds a number that is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>大きすぎる数が含まれています。</translation>
     </message>
     <message>
         <source>A .npz file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>.npzファイルの上限は4 GBです。書き出す範囲を短くしてください。</translation>
     </message>
     <message>
         <source>found no skeleton beside it, expected an .asf file (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>同じ場所にスケルトンがありません。.asfファイルが必要です (--asfで指定できます)</translation>
     </message>
     <message>
         <source>found an ASF skeleton, which holds no motion, expected the .amc file that belongs to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>found %1 file, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
-        <translation type="unfinished"></translation>
+        <translation>ASFスケルトンです。動きは含まれないため、対応する.amcファイルを指定してください。</translation>
     </message>
     <message>
         <source>The recording holds no skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録にスケルトンがありません。</translation>
     </message>
     <message>
         <source>found UTF-16 text, expected plain text (save the file as UTF-8)</source>
-        <translation type="unfinished"></translation>
+        <translation>UTF-16のテキストです。通常のテキストが必要です (UTF-8で保存してください)</translation>
     </message>
     <message>
         <source>has a quote that is not closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>引用符が閉じていません。</translation>
     </message>
     <message>
         <source>No joint has the role pelvis: actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>役割「骨盤」の関節がないため、動作を比較できません。</translation>
     </message>
     <message>
         <source>Nothing stands before &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「or」の前に何もありません。</translation>
     </message>
     <message>
         <source>Nothing stands after &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「or」の後に何もありません。</translation>
     </message>
     <message>
         <source>Something is missing after &quot;not&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「not」の後が足りません。</translation>
     </message>
     <message>
         <source>Points to be aligned must come in pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>揃える点は対にしてください。</translation>
     </message>
     <message>
         <source>Points to be aligned need a weight above zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>揃える点には0より大きい重みが必要です。</translation>
     </message>
     <message>
         <source>A rate must be a positive number of frames a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>レートは正の数 (毎秒フレーム数) にしてください。</translation>
     </message>
     <message>
         <source>Foot locking needs a frame to show.</source>
-        <translation type="unfinished"></translation>
+        <translation>足の固定には、表示するフレームが必要です。</translation>
     </message>
     <message>
         <source>Foot locking needs to know of every frame which feet stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>足の固定には、どの足が接地しているかがフレームごとに必要です。</translation>
     </message>
     <message>
         <source>A clip without frames cannot be joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームのないクリップはつなげません。</translation>
     </message>
     <message>
         <source>Clips can be joined only at one rate and on one skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>つなげるのは、レートとスケルトンが同じクリップだけです。</translation>
     </message>
     <message>
         <source>A motion needs a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>モーションにはスケルトンが必要です。</translation>
     </message>
     <message>
         <source>A motion&apos;s frame time must be a positive number of seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>モーションのフレーム時間は正の秒数にしてください。</translation>
     </message>
     <message>
         <source>A motion&apos;s channel values do not fill its frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>モーションのチャンネル値の数がフレームと合いません。</translation>
     </message>
     <message>
         <source>A channel value is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>チャンネルの値が有限の数ではありません。</translation>
     </message>
     <message>
         <source>A clip&apos;s rig does not have the joints of its motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>クリップのリグの関節がモーションと一致しません。</translation>
     </message>
     <message>
         <source>A clip of %1 joints cannot be written with the %2 joints of another skeleton: retarget it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節%1個のクリップは、関節%2個の別のスケルトンでは書き出せません。先にリターゲットしてください。</translation>
     </message>
     <message>
         <source>Ways are scaled by %1 for the legs&apos; lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>脚の長さに合わせて、移動量を%1倍します。</translation>
     </message>
     <message>
         <source>%1 moves by up to %2 cm of its own, which is not kept: %3 carries the body.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1は単独で最大%2 cm動きますが、その動きは残しません。体を動かすのは%3です。</translation>
     </message>
     <message>
         <source>The bone to %1 changes by up to %2 cm; its mean is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1へのボーンの長さが最大%2 cm変化します。平均の長さを使います。</translation>
     </message>
     <message>
         <source>No neck: the chest (%1) stands in for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>首がないため、胸 (%1) で代用します。</translation>
     </message>
     <message>
         <source>The joint names say nothing; the roles were read off the skeleton&apos;s shape. Check left and right.</source>
-        <translation type="unfinished"></translation>
+        <translation>関節の名前からはわからないため、役割をスケルトンの形から判定しました。左右を確認してください。</translation>
     </message>
     <message>
         <source>This skeleton is not a human body that is known here: it is shown and measured, but the contact force needs joint roles. Name them by hand if it is one.</source>
-        <translation type="unfinished"></translation>
+        <translation>このスケルトンは既知の人体ではありません。表示と計測はできますが、接地力には関節の役割が必要です。人体であれば、手動で割り当ててください。</translation>
     </message>
     <message>
         <source>A skeleton needs at least one joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>スケルトンには関節が1つ以上必要です。</translation>
     </message>
     <message>
         <source>A skeleton&apos;s channel count does not add up.</source>
-        <translation type="unfinished"></translation>
+        <translation>スケルトンのチャンネル数が合いません。</translation>
     </message>
     <message>
         <source>The body lies along the x axis; y was taken for up. Say which axis is up.</source>
-        <translation type="unfinished"></translation>
+        <translation>体がx軸に沿って横たわっているため、yを上とみなしました。上の軸を指定してください。</translation>
     </message>
     <message>
         <source>Without legs the unit cannot be found; centimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>脚がないため単位がわかりません。センチメートルとみなします。</translation>
     </message>
     <message>
         <source>The labels belong to another segmentation.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベルは別の分割のものです。</translation>
     </message>
     <message>
         <source>The differences belong to another segmentation or vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>違いは別の分割か語彙のものです。</translation>
     </message>
     <message>
         <source>Fighter %1 has no removed boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1には、フレーム%2の近くに削除した境界がありません。</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; move that one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1のフレーム%2には別の境界があります。先にそちらを移動してください。</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take, whose last frame is %2: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1はテイクの外なので、境界を置けません。最後のフレームは%2です。</translation>
     </message>
     <message>
         <source>The boundary can move between its neighbours only: frames %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>境界を移動できるのは隣の境界までの間、フレーム%1～%2だけです。</translation>
     </message>
     <message>
         <source>The boundary at frame %1 is an end of the take, which stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1の境界はテイクの端なので、変更できません。</translation>
     </message>
     <message>
         <source>Take %1, player %2: its skeleton has other joints than that of the first take, so it is left out of bouts.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイク%1、選手%2: 関節が最初のテイクのスケルトンと異なるため、試合から除外します。</translation>
     </message>
     <message>
         <source>No action of player %1 begins in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイク%4のフレーム%2～%3に、選手%1の動作の始まりがありません。</translation>
     </message>
     <message>
         <source>Player %1 does not attack in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1は、テイク%4のフレーム%2～%3で攻撃していません。</translation>
     </message>
     <message>
         <source>Player %1 never attacks.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1は一度も攻撃していません。</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>フォルダー%1を作れません: %2。</translation>
     </message>
     <message>
         <source>The cutoff must be a positive number of Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>カットオフは正の数 (Hz) にしてください。</translation>
     </message>
     <message>
         <source>The prominence must be a number of body weights, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>プロミネンスは0以上の数 (体重比) にしてください。</translation>
     </message>
     <message>
         <source>A take needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイクには名前が必要です。</translation>
     </message>
     <message>
         <source>A take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイクの選手は1人か2人です。</translation>
     </message>
     <message>
         <source>There is no such place in the list of takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイクの一覧にそのような位置はありません。</translation>
     </message>
     <message>
         <source>There is one fighter only: nothing to swap.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手が1人なので、入れ替えられません。</translation>
     </message>
     <message>
         <source>The skeleton has no such joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>スケルトンにそのような関節はありません。</translation>
     </message>
     <message>
         <source>%1 holds %2 frames, but the take reaches to frame %3: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1は%2フレームですが、テイクはフレーム%3まであります。探している収録ではありません。</translation>
     </message>
     <message>
         <source>The placement cannot be written: neither the root nor a joint right below it has all position and rotation channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置を書き込めません。ルートにも、そのすぐ下の関節にも、位置と回転のチャンネルが揃っていません。</translation>
     </message>
     <message>
         <source>A take is made of one or two recordings.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイクは1つか2つの収録から作ります。</translation>
     </message>
     <message>
         <source>The take&apos;s name holds bytes that are no UTF-8 text.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイクの名前にUTF-8でない文字が含まれています。</translation>
     </message>
     <message>
         <source>A frame rate lies between 1 and 10000 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームレートは1～10000 Hzです。</translation>
     </message>
     <message>
         <source>The recordings run at %1 and %2 Hz; each keeps its own rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録のレートは%1と%2 Hzです。それぞれ元のレートを保ちます。</translation>
     </message>
     <message>
         <source>Take %1, player %2: no pelvis or no centre of mass is known, so its actions are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>テイク%1、選手%2: 骨盤か重心がわからないため、動作を除外します。</translation>
     </message>
     <message>
         <source>Player %1: %2 of %3 actions have no label and are left out, with every transition that touches them.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1: 動作%3件中%2件にラベルがないため、それに接するすべての遷移とともに除外します。</translation>
     </message>
     <message>
         <source>No take of two has a recording of player %1 with the skeleton of the bout: it was removed since the bout was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手が二人のテイクに、試合のスケルトンを持つ選手%1の収録がありません。試合を始めた後に削除されました。</translation>
     </message>
     <message>
         <source>An .eaf file holds one take: say which.</source>
-        <translation type="unfinished"></translation>
+        <translation>.eafファイルに入るテイクは1つです。どのテイクかを指定してください。</translation>
     </message>
     <message>
         <source>is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>空です。</translation>
     </message>
     <message>
         <source>has no column %1; a label table needs begin_s, end_s and label.</source>
-        <translation type="unfinished"></translation>
+        <translation>列%1がありません。ラベルの表にはbegin_s、end_s、labelが必要です。</translation>
     </message>
     <message>
         <source>holds no labels: it has neither &quot;kumite_labels&quot; nor &quot;players&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベルがありません。「kumite_labels」も「players」もありません。</translation>
     </message>
     <message>
         <source>There is no action %1; the fighter has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>動作%1はありません。この選手の動作は%2件です。</translation>
     </message>
     <message>
         <source>The vocabulary has no aspect %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>語彙に観点%1はありません。</translation>
     </message>
     <message>
         <source>%1 has no qualifier %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1に修飾%2はありません。</translation>
     </message>
     <message>
         <source>The label belongs to another vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>ラベルは別の語彙のものです。</translation>
     </message>
     <message>
         <source>The thresholds of the rules must be numbers, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>ルールのしきい値は0以上の数にしてください。</translation>
     </message>
     <message>
         <source>A cross-validation has two folds or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>交差検証にはフォールドが2つ以上必要です。</translation>
     </message>
     <message>
         <source>A library&apos;s rate lies between %1 and %2 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブラリのレートは%1～%2 Hzです。</translation>
     </message>
     <message>
         <source>The library is empty: no source holds the motion of a body.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブラリが空です。体の動きを含むものがありません。</translation>
     </message>
     <message>
         <source>The library has no clip &quot;%1&quot;; it has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブラリにクリップ「%1」はありません。クリップ: %2。</translation>
     </message>
     <message>
         <source>None of these clips shows a hand or a foot that strikes.</source>
-        <translation type="unfinished"></translation>
+        <translation>これらのクリップには、打撃をする手や足がありません。</translation>
     </message>
     <message>
         <source>No strike of the %1 was found in &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%2」に%1の打撃は見つかりませんでした。</translation>
     </message>
     <message>
         <source>%1 was not where the project says; the same recording was found at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1はプロジェクトの示す場所にありませんでした。同じ収録が%2で見つかりました。</translation>
     </message>
     <message>
         <source>%1 is there already: choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1はすでにあります。別の名前を選んでください。</translation>
     </message>
     <message>
         <source>is a recording; make a project of it with kumite new.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録です。kumite newでプロジェクトにしてください。</translation>
     </message>
     <message>
         <source>is not a Kumite project: it has no &quot;kumite&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumiteプロジェクトではありません。「kumite」のバージョンがありません。</translation>
     </message>
     <message>
         <source>was written by a newer Kumite (file version %1, this one reads up to %2); open it with that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>新しいKumiteで保存されています (ファイルのバージョン%1、このKumiteで読めるのは%2まで)。新しい方のKumiteで開いてください。</translation>
     </message>
     <message>
         <source>No motion from key poses of %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1のキーポーズからモーションを作れません: %2</translation>
     </message>
     <message>
         <source>There is no clip to rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>評価するクリップがありません。</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1はテイクの外なので、境界を置けません。</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; forget this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1のフレーム%2には別の境界があります。こちらは「忘れる」にしてください。</translation>
     </message>
     <message>
         <source>Fighter %1 has no action at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1のフレーム%2に動作はありません。</translation>
     </message>
     <message>
         <source>The budget is a share of all actions, above 0 and at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>予算は全動作に対する割合で、0より大きく1以下です。</translation>
     </message>
     <message>
         <source>Player %1 has no labelled action that follows another labelled one: label more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1には、ラベル付きの動作に続くラベル付きの動作がありません。もっとラベルを付けてください。</translation>
     </message>
     <message>
         <source>The captured attack holds no action.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録された攻撃に動作がありません。</translation>
     </message>
     <message>
         <source>No take of two shows player %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手が二人のテイクに、選手%1が写るものがありません。</translation>
     </message>
     <message>
         <source>The captured attack cannot be shown: its take is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>収録された攻撃を表示できません。テイクが見つかりません。</translation>
     </message>
     <message>
         <source>Player %1 shows nothing but attacks outside of the captured one.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1の動作は、収録された攻撃を除くと攻撃しかありません。</translation>
     </message>
     <message>
         <source>No recorded moment shows both fighters labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>両選手ともラベルがある場面が、収録にありません。</translation>
     </message>
     <message>
         <source>Only a bout with an avatar can be steered.</source>
-        <translation type="unfinished"></translation>
+        <translation>操作できるのは、アバターのいる試合だけです。</translation>
     </message>
     <message>
         <source>The library was made without an avatar&apos;s model.</source>
-        <translation type="unfinished"></translation>
+        <translation>ライブラリが、アバターのモデルなしで作られています。</translation>
     </message>
     <message>
         <source>Player %1 never shows &quot;%2&quot; after another labelled action.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手%1の「%2」が、ラベル付きの動作に続くことはありません。</translation>
     </message>
     <message>
         <source>A weight is 0 (never) or a positive factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>重みは0 (使わない) か正の倍率です。</translation>
     </message>
     <message>
         <source>A temperature is 0 or positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>温度は0か正の数です。</translation>
     </message>
     <message>
         <source>No action of the avatar is followed by half a second of its take.</source>
-        <translation type="unfinished"></translation>
+        <translation>アバターの動作に、後にテイクが0.5 s以上続くものがありません。</translation>
     </message>
     <message>
         <source>The action has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>動作にフレームがありません。</translation>
     </message>
     <message>
         <source>The threshold of pose clusters must be a positive number.</source>
-        <translation type="unfinished"></translation>
+        <translation>ポーズのクラスターのしきい値は正の数にしてください。</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブロック「%1」に動きがありません。</translation>
     </message>
     <message>
         <source>Frames %1:%2 cannot be taken from &quot;%3&quot;, which has %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1:%2は「%3」から取り出せません。あるのは%4フレームです。</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>ブロック「%1」にフレームがありません。</translation>
     </message>
     <message>
         <source>The sequence has no block.</source>
-        <translation type="unfinished"></translation>
+        <translation>シーケンスにブロックがありません。</translation>
     </message>
     <message>
         <source>There is no path in the graph between these two actions; choose a curve, or clips played backward.</source>
-        <translation type="unfinished"></translation>
+        <translation>この2つの動作の間には、グラフ上の経路がありません。曲線か、クリップの逆再生を選んでください。</translation>
     </message>
     <message>
         <source>There are %1 candidate paths, counted from 0: no path %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>経路の候補は%1本です (0から数えます)。経路%2はありません。</translation>
     </message>
     <message>
         <source>A transition needs motion on both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>遷移には、前後両方にモーションが必要です。</translation>
     </message>
     <message>
         <source>%1 (%2–%3 s, fighter %4): %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2～%3 s、選手%4): %5</translation>
     </message>
     <message>
         <source>at least one whole frame</source>
-        <translation type="unfinished"></translation>
+        <translation>1つ以上の完全なフレーム</translation>
     </message>
     <message>
         <source>the number of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>フレームの番号</translation>
     </message>
     <message>
         <source>a bone of the skeleton that has a dof, or the number of the frame after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dofのあるスケルトンのボーン、または%1の次のフレームの番号</translation>
     </message>
     <message>
         <source>each bone once in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%1で各ボーン1回ずつ</translation>
     </message>
     <message>
         <source>a number for bone %1 in frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%2のボーン%1の数値</translation>
     </message>
     <message>
         <source>only %1 numbers for bone %2 in frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>フレーム%3のボーン%2には数値%1個だけ</translation>
     </message>
     <message>
         <source>a section of an ASF file, such as :units or :bonedata</source>
-        <translation type="unfinished"></translation>
+        <translation>:unitsや:bonedataなど、ASFファイルのセクション</translation>
     </message>
     <message>
         <source>the section :root</source>
-        <translation type="unfinished"></translation>
+        <translation>セクション:root</translation>
     </message>
     <message>
         <source>the section :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>セクション:hierarchy</translation>
     </message>
     <message>
         <source>deg or rad</source>
-        <translation type="unfinished"></translation>
+        <translation>degかrad</translation>
     </message>
     <message>
         <source>order, axis, position or orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>order、axis、position、orientationのいずれか</translation>
     </message>
     <message>
         <source>10000 bones at most</source>
-        <translation type="unfinished"></translation>
+        <translation>10000個以内のボーン</translation>
     </message>
     <message>
         <source>end, behind the last line of a bone</source>
-        <translation type="unfinished"></translation>
+        <translation>ボーンの最後の行の後のend</translation>
     </message>
     <message>
         <source>the name of a bone of :bonedata, or end</source>
-        <translation type="unfinished"></translation>
+        <translation>:bonedataのボーンの名前、またはend</translation>
     </message>
     <message>
         <source>an order of rotations, such as XYZ</source>
-        <translation type="unfinished"></translation>
+        <translation>XYZなど、回転の順序</translation>
     </message>
     <message>
         <source>each degree of freedom once</source>
-        <translation type="unfinished"></translation>
+        <translation>各自由度1回ずつ</translation>
     </message>
     <message>
         <source>OFFSET, CHANNELS, JOINT, End Site or } in joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>関節%1のOFFSET、CHANNELS、JOINT、End Site、または}</translation>
     </message>
     <message>
         <source>the number of channels, 0 to 6</source>
-        <translation type="unfinished"></translation>
+        <translation>チャンネルの数 (0～6)</translation>
     </message>
     <message>
         <source>each channel once in a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>1つの関節に各チャンネル1回ずつ</translation>
     </message>
     <message>
         <source>channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation</source>
-        <translation type="unfinished"></translation>
+        <translation>%2個中%1番目のチャンネル: Xposition、Yposition、Zposition、Xrotation、Yrotation、Zrotationのいずれか</translation>
     </message>
     <message>
         <source>Frame Time:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Time:</translation>
     </message>
     <message>
         <source>Frames:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames:</translation>
     </message>
     <message>
         <source>a finite number with a decimal point</source>
-        <translation type="unfinished"></translation>
+        <translation>小数点を使った有限の数</translation>
     </message>
     <message>
         <source>no action of the opponent at that time</source>
-        <translation type="unfinished"></translation>
+        <translation>その時刻に相手の動作がありません</translation>
     </message>
     <message>
         <source>the opponent&apos;s action is no attack</source>
-        <translation type="unfinished"></translation>
+        <translation>相手の動作は攻撃ではありません</translation>
     </message>
     <message>
         <source>stands left</source>
-        <translation type="unfinished"></translation>
+        <translation>左足立ち</translation>
     </message>
     <message>
         <source>stands right</source>
-        <translation type="unfinished"></translation>
+        <translation>右足立ち</translation>
     </message>
     <message>
         <source>in the air</source>
-        <translation type="unfinished"></translation>
+        <translation>空中</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing only %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>相手の%1、接近は%2 m/sのみ</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>相手の%1、接近%2 m/s</translation>
     </message>
     <message>
         <source>%1 at the beginning, %2 at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>開始時は%1、終了時は%2</translation>
+    </message>
+    <message>
+        <source>There is no root %1; the recording has %2.</source>
+        <translation>ルート%1はありません。収録にあるのは%2です。</translation>
+    </message>
+    <message>
+        <source>The body stands on its head most of the time: is up right?</source>
+        <translation>体がほとんどの時間、逆さに立っています。上方向は正しいですか？</translation>
+    </message>
+    <message>
+        <source>The legs would be %1 m long: is the unit (%2) right?</source>
+        <translation>脚の長さが %1 m になります。単位（%2）は正しいですか？</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
+        <translation>リターゲット先は、脚に対して腕が%1%長くなっています。手の届く位置が変わります。</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
+        <translation>リターゲット先は、脚に対して腕が%1%短くなっています。手の届く位置が変わります。</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>%1 行目</translation>
+    </message>
+    <message>
+        <source>frames %1:%2 cannot be taken from a recording of %3 frames.</source>
+        <translation>フレーム %1:%2 は、%3 フレームの収録から取り出せません。</translation>
+    </message>
+    <message>
+        <source>found %1 data, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
+        <translation>%1 のデータです。必要なのは BVH か ASF/AMC です。Blender に読み込み、Motion Capture (.bvh) として書き出してください。</translation>
+    </message>
+    <message>
+        <source>the opponent&apos;s action is not labelled yet</source>
+        <translation>相手の動作にはまだラベルがありません</translation>
     </message>
 </context>
 <context>
@@ -1451,162 +1471,162 @@
     <name>Role</name>
     <message>
         <source>pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>骨盤</translation>
     </message>
     <message>
         <source>spine</source>
-        <translation type="unfinished"></translation>
+        <translation>背骨</translation>
     </message>
     <message>
         <source>chest</source>
-        <translation type="unfinished">胸</translation>
+        <translation>胸</translation>
     </message>
     <message>
         <source>neck</source>
-        <translation type="unfinished"></translation>
+        <translation>首</translation>
     </message>
     <message>
         <source>head</source>
-        <translation type="unfinished">頭</translation>
+        <translation>頭</translation>
     </message>
     <message>
         <source>left clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>左鎖骨</translation>
     </message>
     <message>
         <source>left shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>左肩</translation>
     </message>
     <message>
         <source>left elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>左肘</translation>
     </message>
     <message>
         <source>left wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>左手首</translation>
     </message>
     <message>
         <source>left hip</source>
-        <translation type="unfinished"></translation>
+        <translation>左股関節</translation>
     </message>
     <message>
         <source>left knee</source>
-        <translation type="unfinished"></translation>
+        <translation>左膝</translation>
     </message>
     <message>
         <source>left ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>左足首</translation>
     </message>
     <message>
         <source>left toe</source>
-        <translation type="unfinished"></translation>
+        <translation>左つま先</translation>
     </message>
     <message>
         <source>right clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>右鎖骨</translation>
     </message>
     <message>
         <source>right shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>右肩</translation>
     </message>
     <message>
         <source>right elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>右肘</translation>
     </message>
     <message>
         <source>right wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>右手首</translation>
     </message>
     <message>
         <source>right hip</source>
-        <translation type="unfinished"></translation>
+        <translation>右股関節</translation>
     </message>
     <message>
         <source>right knee</source>
-        <translation type="unfinished"></translation>
+        <translation>右膝</translation>
     </message>
     <message>
         <source>right ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>右足首</translation>
     </message>
     <message>
         <source>right toe</source>
-        <translation type="unfinished"></translation>
+        <translation>右つま先</translation>
     </message>
 </context>
 <context>
     <name>ShortLabel</name>
     <message>
         <source>fwd</source>
-        <translation type="unfinished"></translation>
+        <translation>前</translation>
     </message>
     <message>
         <source>bwd</source>
-        <translation type="unfinished"></translation>
+        <translation>後</translation>
     </message>
     <message>
         <source>bwdfwd</source>
-        <translation type="unfinished"></translation>
+        <translation>後前</translation>
     </message>
     <message>
         <source>fwdbwd</source>
-        <translation type="unfinished"></translation>
+        <translation>前後</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished">上</translation>
+        <translation>上</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished">下</translation>
+        <translation>下</translation>
     </message>
     <message>
         <source>downup</source>
-        <translation type="unfinished"></translation>
+        <translation>下上</translation>
     </message>
     <message>
         <source>kick</source>
-        <translation type="unfinished"></translation>
+        <translation>蹴り</translation>
     </message>
     <message>
         <source>punch</source>
-        <translation type="unfinished"></translation>
+        <translation>突き</translation>
     </message>
     <message>
         <source>L-L</source>
-        <translation type="unfinished"></translation>
+        <translation>左-左</translation>
     </message>
     <message>
         <source>L-R</source>
-        <translation type="unfinished"></translation>
+        <translation>左-右</translation>
     </message>
     <message>
         <source>L-F</source>
-        <translation type="unfinished"></translation>
+        <translation>左-空</translation>
     </message>
     <message>
         <source>R-L</source>
-        <translation type="unfinished"></translation>
+        <translation>右-左</translation>
     </message>
     <message>
         <source>R-R</source>
-        <translation type="unfinished"></translation>
+        <translation>右-右</translation>
     </message>
     <message>
         <source>R-F</source>
-        <translation type="unfinished"></translation>
+        <translation>右-空</translation>
     </message>
     <message>
         <source>F-L</source>
-        <translation type="unfinished"></translation>
+        <translation>空-左</translation>
     </message>
     <message>
         <source>F-R</source>
-        <translation type="unfinished"></translation>
+        <translation>空-右</translation>
     </message>
     <message>
         <source>F-F</source>
-        <translation type="unfinished"></translation>
+        <translation>空-空</translation>
     </message>
 </context>
 <context>

@@ -201,1243 +201,1263 @@
     </message>
     <message>
         <source>cannot be read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 없습니다: %1.</translation>
     </message>
     <message>
         <source>cannot read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>읽을 수 없습니다: %1.</translation>
     </message>
     <message>
         <source>cannot write: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>쓸 수 없습니다: %1.</translation>
     </message>
     <message>
         <source>cannot make this folder: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 폴더를 만들 수 없습니다: %1.</translation>
     </message>
     <message>
         <source>is a folder, expected a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일이어야 하는데 폴더입니다.</translation>
     </message>
     <message>
         <source>is no regular file; save it as one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>일반 파일이 아닙니다. 먼저 파일로 저장하세요.</translation>
     </message>
     <message>
         <source>is a folder, expected a file to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>쓸 파일이어야 하는데 폴더입니다.</translation>
     </message>
     <message>
         <source>is what is read here; write to another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>지금 읽는 파일입니다. 다른 파일에 쓰세요.</translation>
     </message>
     <message>
         <source>there is no such file.</source>
-        <translation type="unfinished"></translation>
+        <translation>그런 파일이 없습니다.</translation>
     </message>
     <message>
         <source>Every motion has too few frames for %1 key poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>어느 모션도 키 포즈 %1개를 담을 만큼 프레임이 많지 않습니다.</translation>
     </message>
     <message>
         <source>There is no frame of %1 to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 내보낼 프레임이 없습니다.</translation>
     </message>
     <message>
         <source>The file holds %1 skeletons: %2. The first is read unless --root names another.</source>
-        <translation type="unfinished"></translation>
+        <translation>파일에 골격이 %1개 있습니다: %2. --root로 다른 것을 지정하지 않으면 첫 번째를 읽습니다.</translation>
     </message>
     <message>
         <source>found several skeletons beside it (%1), expected one (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>옆에 골격이 하나만 있어야 하는데 여럿 있습니다(%1). --asf로 지정하세요</translation>
     </message>
     <message>
         <source>found %1, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%2이(가) 와야 하는데 %1이(가) 나왔습니다</translation>
     </message>
     <message>
         <source>the end of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>파일의 끝</translation>
     </message>
     <message>
         <source>only the %1 channels that CHANNELS announces</source>
-        <translation type="unfinished"></translation>
+        <translation>CHANNELS에 적힌 개수(%1개)까지의 채널</translation>
     </message>
     <message>
         <source>A split by takes needs two takes or more with labelled transitions.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크별로 나누려면 레이블이 붙은 전이가 있는 테이크가 둘 이상 필요합니다.</translation>
     </message>
     <message>
         <source>There are too few labelled transitions to set some apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>일부를 따로 떼어 두기에는 레이블이 붙은 전이가 너무 적습니다.</translation>
     </message>
     <message>
         <source>For labelling, these joints take their parents&apos; place: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>레이블을 붙일 때 다음 관절은 부모 관절로 대신합니다: %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no aspect of the vocabulary %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 어휘 %2의 측면이 아닙니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no qualifier of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) %2의 수식어가 아닙니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names an aspect twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”에 같은 측면이 두 번 나옵니다.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 뒤에는 0.6이나 60 % 같은 확신도를 적어야 합니다.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 뒤에는 %2이(가) 아니라 0.6이나 60 % 같은 확신도를 적어야 합니다.</translation>
     </message>
     <message>
         <source>Say whether the confidence is &quot;below %1&quot; or &quot;above %1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>확신도가 “below %1”인지 “above %1”인지 적으세요.</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 뒤에는 %2 같은 시간을 적어야 합니다.</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2, not %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 뒤에는 %3이(가) 아니라 %2 같은 시간을 적어야 합니다.</translation>
     </message>
     <message>
         <source>After %1 two times are expected, such as 0:30 to 1:00.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 뒤에는 0:30 to 1:00처럼 두 시간을 적어야 합니다.</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 뒤에는 1이나 2를 적어야 합니다.</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 뒤에는 %2이(가) 아니라 1이나 2를 적어야 합니다.</translation>
     </message>
     <message>
         <source>There is no take %1; the takes are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크 %1이(가) 없습니다. 있는 테이크: %2.</translation>
     </message>
     <message>
         <source>Say which take; the takes are %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>어느 테이크인지 적으세요. 있는 테이크: %1.</translation>
     </message>
     <message>
         <source>No aspect has a &quot;strike&quot;: %1 will never find anything to react to.</source>
-        <translation type="unfinished"></translation>
+        <translation>“strike”가 있는 측면이 없어 %1이(가) 반응할 대상을 찾을 수 없습니다.</translation>
     </message>
     <message>
         <source>The key %1 stands for both %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>단축키 %1이(가) %2과(와) %3에 함께 지정되어 있습니다.</translation>
     </message>
     <message>
         <source>In %1 the key %2 stands for both %3 and %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에서 단축키 %2이(가) %3과(와) %4에 함께 지정되어 있습니다.</translation>
     </message>
     <message>
         <source>The target has no %1: their turns go to the joints below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>대상 골격에 없는 관절: %1. 그 회전은 하위 관절에 넘깁니다.</translation>
     </message>
     <message>
         <source>The source has no %1: they keep their rest relative to their parent.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
+        <translation>원본 골격에 없는 관절: %1. 부모에 대한 레스트 포즈를 유지합니다.</translation>
     </message>
     <message>
         <source>No joint was found for: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>다음 역할의 관절을 찾지 못했습니다: %1.</translation>
     </message>
     <message>
         <source>Joint %1 does not stand behind its parent.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1이(가) 부모보다 뒤에 있지 않습니다.</translation>
     </message>
     <message>
         <source>The channels of joint %1 do not follow the ones before.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1의 채널이 앞의 채널에 이어지지 않습니다.</translation>
     </message>
     <message>
         <source>The End Site %1 has channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>End Site %1에 채널이 있습니다.</translation>
     </message>
     <message>
         <source>The offset of joint %1 is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1의 오프셋이 유한한 수가 아닙니다.</translation>
     </message>
     <message>
         <source>Frame 0 is a rest pose, not motion; takes leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 0은 모션이 아니라 레스트 포즈입니다. 테이크에서 뺍니다.</translation>
     </message>
     <message>
         <source>Frames 0 to %1 are a rest pose, not motion; takes leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 0~%1은(는) 모션이 아니라 레스트 포즈입니다. 테이크에서 뺍니다.</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1의 프레임 %2 근처에 경계가 없습니다.</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2; the nearest is at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1의 프레임 %2 근처에 경계가 없습니다. 가장 가까운 것은 %3에 있습니다.</translation>
     </message>
     <message>
         <source>the recording is missing; its boundaries cannot be edited.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화가 없어 경계를 편집할 수 없습니다.</translation>
     </message>
     <message>
         <source>A time offset must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>시간 오프셋은 숫자여야 합니다.</translation>
     </message>
     <message>
         <source>A placement must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치는 숫자여야 합니다.</translation>
     </message>
     <message>
         <source>The floor&apos;s height must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>바닥 높이는 숫자여야 합니다.</translation>
     </message>
     <message>
         <source>There is a take named &quot;%1&quot; already.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”(이)라는 테이크가 이미 있습니다.</translation>
     </message>
     <message>
         <source>%1 has another skeleton: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 골격이 다릅니다. 없어진 녹화가 아닙니다.</translation>
     </message>
     <message>
         <source>the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>확장자가 쓸 형식을 정합니다. .bvh, .glb, .npz, .csv, .json, .eaf 중 하나여야 합니다.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be written without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화가 없어 테이크를 쓸 수 없습니다.</translation>
     </message>
     <message>
         <source>a graph is written as .csv, .json or .graphml.</source>
-        <translation type="unfinished"></translation>
+        <translation>그래프는 .csv, .json 또는 .graphml로 씁니다.</translation>
     </message>
     <message>
         <source>there is no joint named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”(이)라는 관절이 없습니다. 있는 관절: %2.</translation>
     </message>
     <message>
         <source>the name holds bytes that are no UTF-8 text; rename the file or folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>이름에 UTF-8이 아닌 바이트가 있습니다. 파일이나 폴더의 이름을 바꾸세요.</translation>
     </message>
     <message>
         <source>the key pose of clip &quot;%1&quot; is not in the project</source>
-        <translation type="unfinished"></translation>
+        <translation>클립 “%1”의 키 포즈가 프로젝트에 없습니다</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no source.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”(이)라는 출처는 없습니다.</translation>
     </message>
     <message>
         <source>labels are written as .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>레이블은 .csv, .json 또는 .eaf로 씁니다.</translation>
     </message>
     <message>
         <source>labels are read from .csv, .json and .eaf files.</source>
-        <translation type="unfinished"></translation>
+        <translation>레이블은 .csv, .json, .eaf 파일에서 읽습니다.</translation>
     </message>
     <message>
         <source>the project has no take &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트에 테이크 “%1”이(가) 없습니다.</translation>
     </message>
     <message>
         <source>the take has no such fighter.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크에 그런 선수가 없습니다.</translation>
     </message>
     <message>
         <source>no action there.</source>
-        <translation type="unfinished"></translation>
+        <translation>그곳에 동작이 없습니다.</translation>
     </message>
     <message>
         <source>its action takes the label of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>그 동작에는 %1의 레이블이 붙습니다.</translation>
     </message>
     <message>
         <source>no joint has the role pelvis, so its actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>골반 역할의 관절이 없어 동작을 비교할 수 없습니다.</translation>
     </message>
     <message>
         <source>the recording is missing; its actions cannot be labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화가 없어 동작에 레이블을 붙일 수 없습니다.</translation>
     </message>
     <message>
         <source>has no body with two legs; it is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 다리가 있는 몸이 없어 제외합니다.</translation>
     </message>
     <message>
         <source>%1 It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 제외합니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: expected frames as A:B after the @.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”: @ 뒤에 프레임을 A:B로 적어야 합니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: these frames are not in it; it has %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”: 이 프레임은 없습니다. 있는 프레임은 %2~%3입니다.</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리에 레이블이 “%1”인 동작이 없습니다.</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot; of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리에 레이블이 “%1”인 그 선수의 동작이 없습니다.</translation>
     </message>
     <message>
         <source>None of these clips is of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 가운데 그 선수의 클립이 없습니다.</translation>
     </message>
     <message>
         <source>joint &quot;%1&quot; is gone; the role %2 has no joint now.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 “%1”이(가) 없어져 이제 %2 역할에 관절이 없습니다.</translation>
     </message>
     <message>
         <source>%1 The recording is left out; its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 이 녹화를 제외합니다. 수정은 남겨 둡니다.</translation>
     </message>
     <message>
         <source>the recording is missing; put it back or relink it. Its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화가 없습니다. 제자리에 돌려놓거나 다시 연결하세요. 수정은 남겨 둡니다.</translation>
     </message>
     <message>
         <source>the recording has changed since it became part of the project; check the boundaries, then relink it to accept the change.</source>
-        <translation type="unfinished"></translation>
+        <translation>프로젝트에 넣은 뒤 녹화가 바뀌었습니다. 경계를 확인한 다음 다시 연결하면 변경을 받아들입니다.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be shown without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화가 없어 테이크를 표시할 수 없습니다.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; the project has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”(이)라는 테이크가 없습니다. 프로젝트에 테이크가 하나도 없습니다.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”(이)라는 테이크가 없습니다. 있는 테이크: %2.</translation>
     </message>
     <message>
         <source>no contact force without a body; no joint has the role %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>몸이 없으면 접촉력도 없습니다. %1 역할의 관절이 없습니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; of fighter %2 is no correction without a minimum.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %2의 “%1”은(는) 극소점이 없는 수정이 아닙니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; leaves no boundary that could be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”에는 추가할 수 있는 경계가 없습니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be reached: the nearest target that can is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”에 닿을 수 없습니다. 닿을 수 있는 가장 가까운 표적은 %2입니다.</translation>
     </message>
     <message>
         <source>What was saved before could not be kept. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>이전에 저장한 내용을 보관하지 못했습니다. %1</translation>
     </message>
     <message>
         <source>holds %1 frames only; the take ends there for this fighter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>frames %1 cannot be taken from a recording of %2 frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임이 %1개뿐입니다. 이 선수의 테이크는 거기서 끝납니다.</translation>
     </message>
     <message>
         <source>holds %1 frames now, the take begins at frame %2; the recording is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 프레임이 %1개인데 테이크는 프레임 %2에서 시작합니다. 이 녹화를 제외합니다.</translation>
     </message>
     <message>
         <source>holds %1 frames now; the take ends there.</source>
-        <translation type="unfinished"></translation>
+        <translation>이제 프레임이 %1개입니다. 테이크는 거기서 끝납니다.</translation>
     </message>
     <message>
         <source>a cutoff of %1 Hz smooths nothing at %2 frames a second; choose one below %3 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>초당 프레임이 %2개일 때 차단 주파수 %1 Hz로는 아무것도 평활화되지 않습니다. %3 Hz보다 낮은 값을 고르세요.</translation>
     </message>
     <message>
         <source>the annotation &quot;%1&quot; has no time and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>주석 “%1”에 시간이 없어 제외합니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no action that can be asked for; there are %2, what they strike with, and ASPECT:QUALIFIER.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 요청할 수 있는 동작이 아닙니다. %2, 그 타격의 종류, ASPECT:QUALIFIER 가운데 하나를 쓰세요.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”이(가) 없습니다.</translation>
     </message>
     <message>
         <source>expected a list.</source>
-        <translation type="unfinished"></translation>
+        <translation>목록이어야 합니다.</translation>
     </message>
     <message>
         <source>expected an object.</source>
-        <translation type="unfinished"></translation>
+        <translation>객체여야 합니다.</translation>
     </message>
     <message>
         <source>expected a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>정수여야 합니다.</translation>
     </message>
     <message>
         <source>expected a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>숫자여야 합니다.</translation>
     </message>
     <message>
         <source>expected a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>유한한 수여야 합니다.</translation>
     </message>
     <message>
         <source>expected a number above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>0보다 큰 수여야 합니다.</translation>
     </message>
     <message>
         <source>expected true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>true 또는 false여야 합니다.</translation>
     </message>
     <message>
         <source>expected text.</source>
-        <translation type="unfinished"></translation>
+        <translation>텍스트여야 합니다.</translation>
     </message>
     <message>
         <source>expected 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 이상이어야 합니다.</translation>
     </message>
     <message>
         <source>expected [begin, end] with 0 &lt;= begin &lt; end.</source>
-        <translation type="unfinished"></translation>
+        <translation>0 &lt;= begin &lt; end인 [begin, end]여야 합니다.</translation>
     </message>
     <message>
         <source>expected an object with &quot;key_poses&quot;: 1, &quot;rate&quot; and &quot;keys&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;key_poses&quot;: 1, &quot;rate&quot;, &quot;keys&quot;가 있는 객체여야 합니다.</translation>
     </message>
     <message>
         <source>expected a colour like #3a86d8.</source>
-        <translation type="unfinished"></translation>
+        <translation>#3a86d8 같은 색이어야 합니다.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”은(는) 관절 역할이 아닙니다.</translation>
     </message>
     <message>
         <source>is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 역할이 아닙니다.</translation>
     </message>
     <message>
         <source>is no vocabulary: it has no &quot;vocabulary&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>어휘가 아닙니다. “vocabulary” 버전이 없습니다.</translation>
     </message>
     <message>
         <source>is the id of two qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 수식어의 id가 같습니다.</translation>
     </message>
     <message>
         <source>is the id of two aspects.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 측면의 id가 같습니다.</translation>
     </message>
     <message>
         <source>is the name of two takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 테이크의 이름이 같습니다.</translation>
     </message>
     <message>
         <source>a take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크의 선수는 한 명 또는 두 명입니다.</translation>
     </message>
     <message>
         <source>a vocabulary has one aspect or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>어휘에는 측면이 하나 이상 있어야 합니다.</translation>
     </message>
     <message>
         <source>an aspect has two qualifiers or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>측면에는 수식어가 둘 이상 있어야 합니다.</translation>
     </message>
     <message>
         <source>is none of the qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>수식어 중에 그런 것이 없습니다.</translation>
     </message>
     <message>
         <source>there is no aspect &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>측면 “%1”이(가) 없습니다.</translation>
     </message>
     <message>
         <source>The system&apos;s OpenSSL library cannot compute SHA-256.</source>
-        <translation type="unfinished"></translation>
+        <translation>시스템의 OpenSSL 라이브러리로 SHA-256을 계산할 수 없습니다.</translation>
     </message>
     <message>
         <source>A demo bout lasts from 1 second to 24 hours; %1 seconds were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>데모 대련의 길이는 1초에서 24시간까지입니다. 요청한 길이는 %1초입니다.</translation>
     </message>
     <message>
         <source>A demo bout has 24 to 240 frames a second; %1 were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>데모 대련의 프레임 속도는 초당 24~240프레임입니다. 요청한 속도는 %1입니다.</translation>
     </message>
     <message>
         <source>There is no key pose to make a motion of.</source>
-        <translation type="unfinished"></translation>
+        <translation>모션을 만들 키 포즈가 없습니다.</translation>
     </message>
     <message>
         <source>The library holds no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리에 모션이 없습니다.</translation>
     </message>
     <message>
         <source>There is no key at frame %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1에 키가 없습니다.</translation>
     </message>
     <message>
         <source>Frame %1 is not behind the key before.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1이(가) 이전 키보다 뒤에 있지 않습니다.</translation>
     </message>
     <message>
         <source>Keys can be brought nearer or farther by a factor above 0 only.</source>
-        <translation type="unfinished"></translation>
+        <translation>키 사이의 간격은 0보다 큰 배율로만 바꿀 수 있습니다.</translation>
     </message>
     <message>
         <source>Keys cannot be brought that far.</source>
-        <translation type="unfinished"></translation>
+        <translation>키를 그렇게 멀리 옮길 수 없습니다.</translation>
     </message>
     <message>
         <source>Key poses need a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>키 포즈에는 골격이 필요합니다.</translation>
     </message>
     <message>
         <source>Key poses need a rate above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>키 포즈의 프레임 속도는 0보다 커야 합니다.</translation>
     </message>
     <message>
         <source>The key at frame %1 is a pose of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1의 키는 다른 골격의 포즈입니다.</translation>
     </message>
     <message>
         <source>The key at frame %1 comes after one at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1의 키가 프레임 %2의 키 다음에 옵니다.</translation>
     </message>
     <message>
         <source>Frames %1:%2 are not in the take, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1:%2은(는) 테이크에 없습니다. 테이크의 프레임은 %3개입니다.</translation>
     </message>
     <message>
         <source>The part comes from another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>부위가 다른 골격에서 온 것입니다.</translation>
     </message>
     <message>
         <source>Frames %1 to %2 are not in the source, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1~%2은(는) 출처에 없습니다. 출처의 프레임은 %3개입니다.</translation>
     </message>
     <message>
         <source>There is no key pose to look for.</source>
-        <translation type="unfinished"></translation>
+        <translation>찾을 키 포즈가 없습니다.</translation>
     </message>
     <message>
         <source>At most 1000 key poses can be looked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>키 포즈는 한 번에 1000개까지 찾을 수 있습니다.</translation>
     </message>
     <message>
         <source>Every key pose needs its features and its frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 키 포즈에는 특징과 프레임이 필요합니다.</translation>
     </message>
     <message>
         <source>Key poses must stand in the order of their frames, one per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>키 포즈는 프레임 순서대로, 프레임마다 하나씩 있어야 합니다.</translation>
     </message>
     <message>
         <source>Two examples of the strike cannot be aligned in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>타격의 두 예를 시간에 맞춰 정렬할 수 없습니다.</translation>
     </message>
     <message>
         <source>There is no example of the strike to blend.</source>
-        <translation type="unfinished"></translation>
+        <translation>혼합할 타격의 예가 없습니다.</translation>
     </message>
     <message>
         <source>The skeleton has no %1: its roles tell nothing that could hit.</source>
-        <translation type="unfinished"></translation>
+        <translation>골격에 %1이(가) 없습니다. 역할에서 타격할 부위를 찾을 수 없습니다.</translation>
     </message>
     <message>
         <source>Strike &quot;%1&quot; is of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>타격 “%1”의 골격이 다릅니다.</translation>
     </message>
     <message>
         <source>Feature poses must come in pairs, one of the query and one of the clip.</source>
-        <translation type="unfinished"></translation>
+        <translation>특징 포즈는 질의와 클립에서 하나씩, 쌍으로 있어야 합니다.</translation>
     </message>
     <message>
         <source>Feature poses must follow each other in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>특징 포즈는 시간 순서여야 합니다.</translation>
     </message>
     <message>
         <source>An AMC file does not say its frame rate: 120 Hz is assumed; give another with --rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>AMC 파일에는 프레임 속도가 없어 120 Hz로 봅니다. --rate로 다른 값을 지정할 수 있습니다.</translation>
     </message>
     <message>
         <source>Frame %1, the last, is cut: it is dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>마지막 프레임 %1이(가) 잘려 있어 버립니다.</translation>
     </message>
     <message>
         <source>Frame %1 does not follow the one before it by number: the frames are taken one after the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1의 번호가 앞 프레임에 이어지지 않습니다. 프레임을 나온 순서대로 읽습니다.</translation>
     </message>
     <message>
         <source>found %1 numbers, expected %2 for bone %3 in frame %4</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %4의 뼈 %3에 숫자가 %2개 와야 하는데 %1개 나왔습니다</translation>
     </message>
     <message>
         <source>found no line for bone %1 in frame %2, expected one for each bone with a dof</source>
-        <translation type="unfinished"></translation>
+        <translation>dof가 있는 뼈마다 한 줄이 있어야 하는데 프레임 %2에 뼈 %1의 줄이 없습니다</translation>
     </message>
     <message>
         <source>found %1, expected a unit of length greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>길이 단위는 0보다 커야 하는데 %1입니다</translation>
     </message>
     <message>
         <source>found a bone without name, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>이름이 있어야 하는데 이름 없는 뼈가 나왔습니다</translation>
     </message>
     <message>
         <source>found a second bone %1, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>뼈 %1이(가) 하나만 있어야 하는데 또 나왔습니다</translation>
     </message>
     <message>
         <source>found bone %1 a second time, expected one parent for each</source>
-        <translation type="unfinished"></translation>
+        <translation>뼈마다 부모가 하나여야 하는데 뼈 %1이(가) 두 번 나왔습니다</translation>
     </message>
     <message>
         <source>found bone %1 that does not hang on the root, expected it in :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>뼈 %1이(가) :hierarchy에 있어야 하는데 루트에 이어져 있지 않습니다</translation>
     </message>
     <message>
         <source>found a skeleton without any dof, expected an order for the root</source>
-        <translation type="unfinished"></translation>
+        <translation>루트에 order가 있어야 하는데 골격에 dof가 하나도 없습니다</translation>
     </message>
     <message>
         <source>Bone %1 changes its length: that is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>뼈 %1의 길이가 바뀌지만 쓰지 않습니다.</translation>
     </message>
     <message>
         <source>found more joints than a skeleton can have, expected %1 at most</source>
-        <translation type="unfinished"></translation>
+        <translation>골격의 관절은 최대 %1개인데 그보다 많습니다</translation>
     </message>
     <message>
         <source>%1 has no OFFSET: taken as 0 0 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 OFFSET이 없어 0 0 0으로 봅니다.</translation>
     </message>
     <message>
         <source>%1 has channels or children: read as a joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 채널이나 자식이 있어 관절로 읽습니다.</translation>
     </message>
     <message>
         <source>found a second %1, expected one in joint %2</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %2에는 %1이(가) 하나만 있어야 하는데 또 나왔습니다</translation>
     </message>
     <message>
         <source>found a skeleton without any channel, expected CHANNELS</source>
-        <translation type="unfinished"></translation>
+        <translation>CHANNELS가 있어야 하는데 골격에 채널이 하나도 없습니다</translation>
     </message>
     <message>
         <source>found %1 numbers after Frame Time, expected at least one frame of %2 numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Time 뒤에 숫자 %2개로 된 프레임이 하나 이상 와야 하는데 숫자가 %1개 나왔습니다</translation>
     </message>
     <message>
         <source>found more frames than can be counted, expected fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>셀 수 있는 것보다 프레임이 많습니다. 더 적어야 합니다</translation>
     </message>
     <message>
         <source>A .glb file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>.glb 파일은 4 GB를 넘을 수 없습니다. 더 짧은 구간을 내보내세요.</translation>
     </message>
     <message>
         <source>There is no figure to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>내보낼 골격이 없습니다.</translation>
     </message>
     <message>
         <source>A glTF skeleton cannot have more than 65 535 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF 골격의 관절은 65,535개를 넘을 수 없습니다.</translation>
     </message>
     <message>
         <source>is not valid JSON here.</source>
-        <translation type="unfinished"></translation>
+        <translation>여기서부터 올바른 JSON이 아닙니다.</translation>
     </message>
     <message>
         <source>holds a number that is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>너무 큰 수가 있습니다.</translation>
     </message>
     <message>
         <source>A .npz file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>.npz 파일은 4 GB를 넘을 수 없습니다. 더 짧은 구간을 내보내세요.</translation>
     </message>
     <message>
         <source>found no skeleton beside it, expected an .asf file (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>옆에 .asf 파일이 있어야 하는데 골격이 없습니다(--asf로 지정하세요)</translation>
     </message>
     <message>
         <source>found an ASF skeleton, which holds no motion, expected the .amc file that belongs to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>found %1 file, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
-        <translation type="unfinished"></translation>
+        <translation>모션이 없는 ASF 골격입니다. 딸린 .amc 파일을 고르세요.</translation>
     </message>
     <message>
         <source>The recording holds no skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화에 골격이 없습니다.</translation>
     </message>
     <message>
         <source>found UTF-16 text, expected plain text (save the file as UTF-8)</source>
-        <translation type="unfinished"></translation>
+        <translation>일반 텍스트여야 하는데 UTF-16 텍스트입니다(파일을 UTF-8로 저장하세요)</translation>
     </message>
     <message>
         <source>has a quote that is not closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>닫히지 않은 따옴표가 있습니다.</translation>
     </message>
     <message>
         <source>No joint has the role pelvis: actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>골반 역할의 관절이 없어 동작을 비교할 수 없습니다.</translation>
     </message>
     <message>
         <source>Nothing stands before &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>“or” 앞에 아무것도 없습니다.</translation>
     </message>
     <message>
         <source>Nothing stands after &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>“or” 뒤에 아무것도 없습니다.</translation>
     </message>
     <message>
         <source>Something is missing after &quot;not&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>“not” 뒤에 빠진 것이 있습니다.</translation>
     </message>
     <message>
         <source>Points to be aligned must come in pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>정렬할 점은 쌍으로 있어야 합니다.</translation>
     </message>
     <message>
         <source>Points to be aligned need a weight above zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>정렬할 점의 가중치는 0보다 커야 합니다.</translation>
     </message>
     <message>
         <source>A rate must be a positive number of frames a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 속도는 초당 프레임 수를 나타내는 양수여야 합니다.</translation>
     </message>
     <message>
         <source>Foot locking needs a frame to show.</source>
-        <translation type="unfinished"></translation>
+        <translation>발 고정에는 표시할 프레임이 필요합니다.</translation>
     </message>
     <message>
         <source>Foot locking needs to know of every frame which feet stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>발 고정에는 프레임마다 어느 발이 디디고 있는지가 필요합니다.</translation>
     </message>
     <message>
         <source>A clip without frames cannot be joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임이 없는 클립은 이을 수 없습니다.</translation>
     </message>
     <message>
         <source>Clips can be joined only at one rate and on one skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>클립은 프레임 속도와 골격이 같아야 이을 수 있습니다.</translation>
     </message>
     <message>
         <source>A motion needs a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>모션에는 골격이 필요합니다.</translation>
     </message>
     <message>
         <source>A motion&apos;s frame time must be a positive number of seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>모션의 프레임 시간은 0보다 큰 초여야 합니다.</translation>
     </message>
     <message>
         <source>A motion&apos;s channel values do not fill its frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>모션의 채널 값이 프레임을 채우지 못합니다.</translation>
     </message>
     <message>
         <source>A channel value is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 값이 유한한 수가 아닙니다.</translation>
     </message>
     <message>
         <source>A clip&apos;s rig does not have the joints of its motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>클립의 릭에 모션의 관절이 없습니다.</translation>
     </message>
     <message>
         <source>A clip of %1 joints cannot be written with the %2 joints of another skeleton: retarget it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1개의 클립을 관절 %2개인 다른 골격으로 쓸 수 없습니다. 먼저 리타기팅하세요.</translation>
     </message>
     <message>
         <source>Ways are scaled by %1 for the legs&apos; lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>다리 길이에 맞춰 이동 거리를 %1배로 조정합니다.</translation>
     </message>
     <message>
         <source>%1 moves by up to %2 cm of its own, which is not kept: %3 carries the body.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 자체의 이동(최대 %2 cm)은 버립니다. 몸을 옮기는 것은 %3입니다.</translation>
     </message>
     <message>
         <source>The bone to %1 changes by up to %2 cm; its mean is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1까지의 뼈 길이가 최대 %2 cm 달라집니다. 평균을 씁니다.</translation>
     </message>
     <message>
         <source>No neck: the chest (%1) stands in for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>목이 없습니다. 가슴(%1)이 대신합니다.</translation>
     </message>
     <message>
         <source>The joint names say nothing; the roles were read off the skeleton&apos;s shape. Check left and right.</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 이름으로는 알 수 없어 골격의 모양에서 역할을 읽었습니다. 왼쪽과 오른쪽을 확인하세요.</translation>
     </message>
     <message>
         <source>This skeleton is not a human body that is known here: it is shown and measured, but the contact force needs joint roles. Name them by hand if it is one.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 골격에서 알려진 인체를 찾지 못했습니다. 표시하고 측정할 수는 있지만 접촉력에는 관절 역할이 필요합니다. 인체라면 역할을 직접 지정하세요.</translation>
     </message>
     <message>
         <source>A skeleton needs at least one joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>골격에는 관절이 하나 이상 필요합니다.</translation>
     </message>
     <message>
         <source>A skeleton&apos;s channel count does not add up.</source>
-        <translation type="unfinished"></translation>
+        <translation>골격의 채널 수가 맞지 않습니다.</translation>
     </message>
     <message>
         <source>The body lies along the x axis; y was taken for up. Say which axis is up.</source>
-        <translation type="unfinished"></translation>
+        <translation>몸이 x축을 따라 누워 있어 y를 위쪽으로 보았습니다. 어느 축이 위쪽인지 지정하세요.</translation>
     </message>
     <message>
         <source>Without legs the unit cannot be found; centimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>다리가 없어 단위를 찾을 수 없습니다. 센티미터로 봅니다.</translation>
     </message>
     <message>
         <source>The labels belong to another segmentation.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 분할의 레이블입니다.</translation>
     </message>
     <message>
         <source>The differences belong to another segmentation or vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 분할이나 어휘의 차이입니다.</translation>
     </message>
     <message>
         <source>Fighter %1 has no removed boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1의 프레임 %2 근처에 제거한 경계가 없습니다.</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; move that one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1의 프레임 %2에 다른 경계가 있습니다. 그것을 먼저 옮기세요.</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take, whose last frame is %2: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1은(는) 테이크 안에 있지 않습니다. 마지막 프레임은 %2입니다. 그곳에는 경계를 둘 수 없습니다.</translation>
     </message>
     <message>
         <source>The boundary can move between its neighbours only: frames %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>경계는 이웃한 경계 사이에서만 옮길 수 있습니다: 프레임 %1~%2.</translation>
     </message>
     <message>
         <source>The boundary at frame %1 is an end of the take, which stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1의 경계는 테이크의 끝이라 그대로 둡니다.</translation>
     </message>
     <message>
         <source>Take %1, player %2: its skeleton has other joints than that of the first take, so it is left out of bouts.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크 %1, 선수 %2: 골격의 관절이 첫 테이크와 달라 대련에서 제외합니다.</translation>
     </message>
     <message>
         <source>No action of player %1 begins in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크 %4의 프레임 %2~%3에서 시작하는 선수 %1의 동작이 없습니다.</translation>
     </message>
     <message>
         <source>Player %1 does not attack in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1은(는) 테이크 %4의 프레임 %2~%3에서 공격하지 않습니다.</translation>
     </message>
     <message>
         <source>Player %1 never attacks.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1은(는) 공격하지 않습니다.</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>폴더 %1을(를) 만들 수 없습니다: %2.</translation>
     </message>
     <message>
         <source>The cutoff must be a positive number of Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>차단 주파수는 Hz 단위의 양수여야 합니다.</translation>
     </message>
     <message>
         <source>The prominence must be a number of body weights, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>돌출도는 체중 단위로 0 이상이어야 합니다.</translation>
     </message>
     <message>
         <source>A take needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크에는 이름이 필요합니다.</translation>
     </message>
     <message>
         <source>A take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크의 선수는 한 명 또는 두 명입니다.</translation>
     </message>
     <message>
         <source>There is no such place in the list of takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크 목록에 그런 자리가 없습니다.</translation>
     </message>
     <message>
         <source>There is one fighter only: nothing to swap.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수가 한 명뿐이라 맞바꿀 수 없습니다.</translation>
     </message>
     <message>
         <source>The skeleton has no such joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>골격에 그런 관절이 없습니다.</translation>
     </message>
     <message>
         <source>%1 holds %2 frames, but the take reaches to frame %3: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 프레임은 %2개인데 테이크는 프레임 %3까지입니다. 없어진 녹화가 아닙니다.</translation>
     </message>
     <message>
         <source>The placement cannot be written: neither the root nor a joint right below it has all position and rotation channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>위치를 쓸 수 없습니다. 루트나 그 바로 아래 관절에 위치 채널과 회전 채널이 모두 있어야 합니다.</translation>
     </message>
     <message>
         <source>A take is made of one or two recordings.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크는 녹화 한두 개로 만듭니다.</translation>
     </message>
     <message>
         <source>The take&apos;s name holds bytes that are no UTF-8 text.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크 이름에 UTF-8이 아닌 바이트가 있습니다.</translation>
     </message>
     <message>
         <source>A frame rate lies between 1 and 10000 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 속도는 1~10000 Hz여야 합니다.</translation>
     </message>
     <message>
         <source>The recordings run at %1 and %2 Hz; each keeps its own rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화의 프레임 속도가 %1 Hz와 %2 Hz입니다. 각자의 속도를 유지합니다.</translation>
     </message>
     <message>
         <source>Take %1, player %2: no pelvis or no centre of mass is known, so its actions are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크 %1, 선수 %2: 골반이나 질량 중심을 알 수 없어 그 동작을 제외합니다.</translation>
     </message>
     <message>
         <source>Player %1: %2 of %3 actions have no label and are left out, with every transition that touches them.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1: 동작 %3개 중 %2개에 레이블이 없어, 관련된 모든 전이와 함께 제외합니다.</translation>
     </message>
     <message>
         <source>No take of two has a recording of player %1 with the skeleton of the bout: it was removed since the bout was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 선수의 테이크 중에 대련의 골격을 쓰는 선수 %1의 녹화가 없습니다. 대련을 시작한 뒤 제거되었습니다.</translation>
     </message>
     <message>
         <source>An .eaf file holds one take: say which.</source>
-        <translation type="unfinished"></translation>
+        <translation>.eaf 파일에는 테이크가 하나만 들어갑니다. 어느 것인지 지정하세요.</translation>
     </message>
     <message>
         <source>is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>비어 있습니다.</translation>
     </message>
     <message>
         <source>has no column %1; a label table needs begin_s, end_s and label.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 열이 없습니다. 레이블 표에는 begin_s, end_s, label이 필요합니다.</translation>
     </message>
     <message>
         <source>holds no labels: it has neither &quot;kumite_labels&quot; nor &quot;players&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>레이블이 없습니다. “kumite_labels”도 “players”도 없습니다.</translation>
     </message>
     <message>
         <source>There is no action %1; the fighter has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>동작 %1이(가) 없습니다. 선수의 동작은 %2개입니다.</translation>
     </message>
     <message>
         <source>The vocabulary has no aspect %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>어휘에 측면 %1이(가) 없습니다.</translation>
     </message>
     <message>
         <source>%1 has no qualifier %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 수식어 %2이(가) 없습니다.</translation>
     </message>
     <message>
         <source>The label belongs to another vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>다른 어휘의 레이블입니다.</translation>
     </message>
     <message>
         <source>The thresholds of the rules must be numbers, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>규칙의 임곗값은 0 이상의 숫자여야 합니다.</translation>
     </message>
     <message>
         <source>A cross-validation has two folds or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>교차 검증에는 겹이 둘 이상 필요합니다.</translation>
     </message>
     <message>
         <source>A library&apos;s rate lies between %1 and %2 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리의 프레임 속도는 %1~%2 Hz여야 합니다.</translation>
     </message>
     <message>
         <source>The library is empty: no source holds the motion of a body.</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리가 비어 있습니다. 인체의 모션이 있는 출처가 없습니다.</translation>
     </message>
     <message>
         <source>The library has no clip &quot;%1&quot;; it has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>라이브러리에 클립 “%1”이(가) 없습니다. 있는 클립: %2.</translation>
     </message>
     <message>
         <source>None of these clips shows a hand or a foot that strikes.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 가운데 손이나 발로 타격하는 클립이 없습니다.</translation>
     </message>
     <message>
         <source>No strike of the %1 was found in &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%2”에서 %1의 타격을 찾지 못했습니다.</translation>
     </message>
     <message>
         <source>%1 was not where the project says; the same recording was found at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 프로젝트에 적힌 곳에 없습니다. 같은 녹화를 %2에서 찾았습니다.</translation>
     </message>
     <message>
         <source>%1 is there already: choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1이(가) 이미 있습니다. 다른 이름을 고르세요.</translation>
     </message>
     <message>
         <source>is a recording; make a project of it with kumite new.</source>
-        <translation type="unfinished"></translation>
+        <translation>녹화입니다. kumite new로 프로젝트를 만드세요.</translation>
     </message>
     <message>
         <source>is not a Kumite project: it has no &quot;kumite&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumite 프로젝트가 아닙니다. “kumite” 버전이 없습니다.</translation>
     </message>
     <message>
         <source>was written by a newer Kumite (file version %1, this one reads up to %2); open it with that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>더 새로운 Kumite에서 쓴 파일입니다(파일 버전 %1, 여기서는 %2까지 읽음). 그 Kumite로 여세요.</translation>
     </message>
     <message>
         <source>No motion from key poses of %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1의 키 포즈로 모션을 만들지 못했습니다: %2</translation>
     </message>
     <message>
         <source>There is no clip to rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>평가할 클립이 없습니다.</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1은(는) 테이크 안에 있지 않습니다. 그곳에는 경계를 둘 수 없습니다.</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; forget this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1의 프레임 %2에 다른 경계가 있습니다. 이 수정은 ‘잊기’로 없애세요.</translation>
     </message>
     <message>
         <source>Fighter %1 has no action at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1의 프레임 %2에 동작이 없습니다.</translation>
     </message>
     <message>
         <source>The budget is a share of all actions, above 0 and at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>예산은 전체 동작에서 차지하는 비율로, 0보다 크고 1 이하여야 합니다.</translation>
     </message>
     <message>
         <source>Player %1 has no labelled action that follows another labelled one: label more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1에는 레이블이 붙은 동작이 연달아 나오는 곳이 없습니다. 레이블을 더 붙이세요.</translation>
     </message>
     <message>
         <source>The captured attack holds no action.</source>
-        <translation type="unfinished"></translation>
+        <translation>캡처된 공격에 동작이 없습니다.</translation>
     </message>
     <message>
         <source>No take of two shows player %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 선수의 테이크 중에 선수 %1이(가) 나오는 것이 없습니다.</translation>
     </message>
     <message>
         <source>The captured attack cannot be shown: its take is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>테이크가 없어 캡처된 공격을 표시할 수 없습니다.</translation>
     </message>
     <message>
         <source>Player %1 shows nothing but attacks outside of the captured one.</source>
-        <translation type="unfinished"></translation>
+        <translation>캡처된 공격을 빼면 선수 %1에게는 공격밖에 없습니다.</translation>
     </message>
     <message>
         <source>No recorded moment shows both fighters labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>두 선수 모두 레이블이 붙어 있는 녹화 장면이 없습니다.</translation>
     </message>
     <message>
         <source>Only a bout with an avatar can be steered.</source>
-        <translation type="unfinished"></translation>
+        <translation>아바타가 있는 대련만 조종할 수 있습니다.</translation>
     </message>
     <message>
         <source>The library was made without an avatar&apos;s model.</source>
-        <translation type="unfinished"></translation>
+        <translation>이 라이브러리는 아바타 모델 없이 만들어졌습니다.</translation>
     </message>
     <message>
         <source>Player %1 never shows &quot;%2&quot; after another labelled action.</source>
-        <translation type="unfinished"></translation>
+        <translation>선수 %1은(는) 레이블이 붙은 다른 동작에 이어 “%2”을(를) 하지 않습니다.</translation>
     </message>
     <message>
         <source>A weight is 0 (never) or a positive factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>가중치는 0(절대 안 함)이거나 양수여야 합니다.</translation>
     </message>
     <message>
         <source>A temperature is 0 or positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>온도는 0 이상이어야 합니다.</translation>
     </message>
     <message>
         <source>No action of the avatar is followed by half a second of its take.</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤로 테이크가 0.5초 더 이어지는 아바타의 동작이 없습니다.</translation>
     </message>
     <message>
         <source>The action has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>동작에 프레임이 없습니다.</translation>
     </message>
     <message>
         <source>The threshold of pose clusters must be a positive number.</source>
-        <translation type="unfinished"></translation>
+        <translation>포즈 군집의 임곗값은 양수여야 합니다.</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>블록 “%1”에 모션이 없습니다.</translation>
     </message>
     <message>
         <source>Frames %1:%2 cannot be taken from &quot;%3&quot;, which has %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임이 %4개인 “%3”에서 프레임 %1:%2을(를) 가져올 수 없습니다.</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>블록 “%1”에 프레임이 없습니다.</translation>
     </message>
     <message>
         <source>The sequence has no block.</source>
-        <translation type="unfinished"></translation>
+        <translation>시퀀스에 블록이 없습니다.</translation>
     </message>
     <message>
         <source>There is no path in the graph between these two actions; choose a curve, or clips played backward.</source>
-        <translation type="unfinished"></translation>
+        <translation>그래프에 이 두 동작을 잇는 경로가 없습니다. 곡선이나 거꾸로 재생하는 클립을 고르세요.</translation>
     </message>
     <message>
         <source>There are %1 candidate paths, counted from 0: no path %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>후보 경로는 %1개이며 0부터 셉니다. 경로 %2은(는) 없습니다.</translation>
     </message>
     <message>
         <source>A transition needs motion on both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>전이에는 양쪽에 모션이 필요합니다.</translation>
     </message>
     <message>
         <source>%1 (%2–%3 s, fighter %4): %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2~%3 s, 선수 %4): %5</translation>
     </message>
     <message>
         <source>at least one whole frame</source>
-        <translation type="unfinished"></translation>
+        <translation>온전한 프레임 하나 이상</translation>
     </message>
     <message>
         <source>the number of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임의 번호</translation>
     </message>
     <message>
         <source>a bone of the skeleton that has a dof, or the number of the frame after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dof가 있는 골격의 뼈, 또는 %1 다음 프레임의 번호</translation>
     </message>
     <message>
         <source>each bone once in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %1에서 한 번씩만 나오는 뼈</translation>
     </message>
     <message>
         <source>a number for bone %1 in frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %2의 뼈 %1에 대한 숫자</translation>
     </message>
     <message>
         <source>only %1 numbers for bone %2 in frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>프레임 %3의 뼈 %2에 대한 숫자 %1개</translation>
     </message>
     <message>
         <source>a section of an ASF file, such as :units or :bonedata</source>
-        <translation type="unfinished"></translation>
+        <translation>:units나 :bonedata 같은 ASF 파일의 섹션</translation>
     </message>
     <message>
         <source>the section :root</source>
-        <translation type="unfinished"></translation>
+        <translation>:root 섹션</translation>
     </message>
     <message>
         <source>the section :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>:hierarchy 섹션</translation>
     </message>
     <message>
         <source>deg or rad</source>
-        <translation type="unfinished"></translation>
+        <translation>deg 또는 rad</translation>
     </message>
     <message>
         <source>order, axis, position or orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>order, axis, position 또는 orientation</translation>
     </message>
     <message>
         <source>10000 bones at most</source>
-        <translation type="unfinished"></translation>
+        <translation>최대 10000개의 뼈</translation>
     </message>
     <message>
         <source>end, behind the last line of a bone</source>
-        <translation type="unfinished"></translation>
+        <translation>뼈의 마지막 줄 뒤의 end</translation>
     </message>
     <message>
         <source>the name of a bone of :bonedata, or end</source>
-        <translation type="unfinished"></translation>
+        <translation>:bonedata에 있는 뼈의 이름, 또는 end</translation>
     </message>
     <message>
         <source>an order of rotations, such as XYZ</source>
-        <translation type="unfinished"></translation>
+        <translation>XYZ 같은 회전 순서</translation>
     </message>
     <message>
         <source>each degree of freedom once</source>
-        <translation type="unfinished"></translation>
+        <translation>한 번씩만 나오는 자유도</translation>
     </message>
     <message>
         <source>OFFSET, CHANNELS, JOINT, End Site or } in joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>관절 %1의 OFFSET, CHANNELS, JOINT, End Site 또는 }</translation>
     </message>
     <message>
         <source>the number of channels, 0 to 6</source>
-        <translation type="unfinished"></translation>
+        <translation>채널의 수(0~6)</translation>
     </message>
     <message>
         <source>each channel once in a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>관절마다 한 번씩만 나오는 채널</translation>
     </message>
     <message>
         <source>channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation</source>
-        <translation type="unfinished"></translation>
+        <translation>채널 %1(모두 %2개): Xposition, Yposition, Zposition, Xrotation, Yrotation 또는 Zrotation</translation>
     </message>
     <message>
         <source>Frame Time:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Time:</translation>
     </message>
     <message>
         <source>Frames:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames:</translation>
     </message>
     <message>
         <source>a finite number with a decimal point</source>
-        <translation type="unfinished"></translation>
+        <translation>소수점을 쓴 유한한 수</translation>
     </message>
     <message>
         <source>no action of the opponent at that time</source>
-        <translation type="unfinished"></translation>
+        <translation>그 시점에 상대의 동작 없음</translation>
     </message>
     <message>
         <source>the opponent&apos;s action is no attack</source>
-        <translation type="unfinished"></translation>
+        <translation>상대의 동작이 공격이 아님</translation>
     </message>
     <message>
         <source>stands left</source>
-        <translation type="unfinished"></translation>
+        <translation>왼발 디딤</translation>
     </message>
     <message>
         <source>stands right</source>
-        <translation type="unfinished"></translation>
+        <translation>오른발 디딤</translation>
     </message>
     <message>
         <source>in the air</source>
-        <translation type="unfinished"></translation>
+        <translation>공중</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing only %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>상대의 %1, 접근 속도가 %2 m/s에 그침</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>상대의 %1, 접근 속도 %2 m/s</translation>
     </message>
     <message>
         <source>%1 at the beginning, %2 at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>시작은 %1, 끝은 %2</translation>
+    </message>
+    <message>
+        <source>There is no root %1; the recording has %2.</source>
+        <translation>루트 %1이(가) 없습니다. 녹화에 있는 루트: %2.</translation>
+    </message>
+    <message>
+        <source>The body stands on its head most of the time: is up right?</source>
+        <translation>몸이 거의 내내 거꾸로 서 있습니다. 위쪽 축이 맞나요?</translation>
+    </message>
+    <message>
+        <source>The legs would be %1 m long: is the unit (%2) right?</source>
+        <translation>다리 길이가 %1 m가 됩니다. 단위(%2)가 맞나요?</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
+        <translation>다리에 견주어 대상의 팔이 %1 % 더 깁니다. 손이 같은 자리에 닿지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
+        <translation>다리에 견주어 대상의 팔이 %1 % 더 짧습니다. 손이 같은 자리에 닿지 않습니다.</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>%1행</translation>
+    </message>
+    <message>
+        <source>frames %1:%2 cannot be taken from a recording of %3 frames.</source>
+        <translation>프레임 %3개인 녹화에서 프레임 %1:%2을(를) 가져올 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>found %1 data, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
+        <translation>BVH 또는 ASF/AMC여야 하는데 %1 파일입니다. Blender에서 불러와 Motion Capture (.bvh)로 내보내세요.</translation>
+    </message>
+    <message>
+        <source>the opponent&apos;s action is not labelled yet</source>
+        <translation>상대의 동작에 아직 레이블이 없음</translation>
     </message>
 </context>
 <context>
@@ -1451,162 +1471,162 @@
     <name>Role</name>
     <message>
         <source>pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>골반</translation>
     </message>
     <message>
         <source>spine</source>
-        <translation type="unfinished"></translation>
+        <translation>척추</translation>
     </message>
     <message>
         <source>chest</source>
-        <translation type="unfinished">가슴</translation>
+        <translation>가슴</translation>
     </message>
     <message>
         <source>neck</source>
-        <translation type="unfinished"></translation>
+        <translation>목</translation>
     </message>
     <message>
         <source>head</source>
-        <translation type="unfinished">머리</translation>
+        <translation>머리</translation>
     </message>
     <message>
         <source>left clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 쇄골</translation>
     </message>
     <message>
         <source>left shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 어깨</translation>
     </message>
     <message>
         <source>left elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 팔꿈치</translation>
     </message>
     <message>
         <source>left wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 손목</translation>
     </message>
     <message>
         <source>left hip</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 고관절</translation>
     </message>
     <message>
         <source>left knee</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 무릎</translation>
     </message>
     <message>
         <source>left ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 발목</translation>
     </message>
     <message>
         <source>left toe</source>
-        <translation type="unfinished"></translation>
+        <translation>왼쪽 발가락</translation>
     </message>
     <message>
         <source>right clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 쇄골</translation>
     </message>
     <message>
         <source>right shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 어깨</translation>
     </message>
     <message>
         <source>right elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 팔꿈치</translation>
     </message>
     <message>
         <source>right wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 손목</translation>
     </message>
     <message>
         <source>right hip</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 고관절</translation>
     </message>
     <message>
         <source>right knee</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 무릎</translation>
     </message>
     <message>
         <source>right ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 발목</translation>
     </message>
     <message>
         <source>right toe</source>
-        <translation type="unfinished"></translation>
+        <translation>오른쪽 발가락</translation>
     </message>
 </context>
 <context>
     <name>ShortLabel</name>
     <message>
         <source>fwd</source>
-        <translation type="unfinished"></translation>
+        <translation>앞</translation>
     </message>
     <message>
         <source>bwd</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤</translation>
     </message>
     <message>
         <source>bwdfwd</source>
-        <translation type="unfinished"></translation>
+        <translation>뒤앞</translation>
     </message>
     <message>
         <source>fwdbwd</source>
-        <translation type="unfinished"></translation>
+        <translation>앞뒤</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished">위로</translation>
+        <translation>위</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished">아래로</translation>
+        <translation>아래</translation>
     </message>
     <message>
         <source>downup</source>
-        <translation type="unfinished"></translation>
+        <translation>아래위</translation>
     </message>
     <message>
         <source>kick</source>
-        <translation type="unfinished"></translation>
+        <translation>킥</translation>
     </message>
     <message>
         <source>punch</source>
-        <translation type="unfinished"></translation>
+        <translation>펀치</translation>
     </message>
     <message>
         <source>L-L</source>
-        <translation type="unfinished"></translation>
+        <translation>왼-왼</translation>
     </message>
     <message>
         <source>L-R</source>
-        <translation type="unfinished"></translation>
+        <translation>왼-오</translation>
     </message>
     <message>
         <source>L-F</source>
-        <translation type="unfinished"></translation>
+        <translation>왼-공</translation>
     </message>
     <message>
         <source>R-L</source>
-        <translation type="unfinished"></translation>
+        <translation>오-왼</translation>
     </message>
     <message>
         <source>R-R</source>
-        <translation type="unfinished"></translation>
+        <translation>오-오</translation>
     </message>
     <message>
         <source>R-F</source>
-        <translation type="unfinished"></translation>
+        <translation>오-공</translation>
     </message>
     <message>
         <source>F-L</source>
-        <translation type="unfinished"></translation>
+        <translation>공-왼</translation>
     </message>
     <message>
         <source>F-R</source>
-        <translation type="unfinished"></translation>
+        <translation>공-오</translation>
     </message>
     <message>
         <source>F-F</source>
-        <translation type="unfinished"></translation>
+        <translation>공-공</translation>
     </message>
 </context>
 <context>

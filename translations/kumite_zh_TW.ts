@@ -201,1243 +201,1263 @@
     </message>
     <message>
         <source>cannot be read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>無法讀取：%1。</translation>
     </message>
     <message>
         <source>cannot read: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>讀取失敗：%1。</translation>
     </message>
     <message>
         <source>cannot write: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>無法寫入：%1。</translation>
     </message>
     <message>
         <source>cannot make this folder: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>無法建立此資料夾：%1。</translation>
     </message>
     <message>
         <source>is a folder, expected a file.</source>
-        <translation type="unfinished"></translation>
+        <translation>是資料夾，應為檔案。</translation>
     </message>
     <message>
         <source>is no regular file; save it as one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>不是一般檔案；請先另存為一般檔案。</translation>
     </message>
     <message>
         <source>is a folder, expected a file to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>是資料夾，應為可寫入的檔案。</translation>
     </message>
     <message>
         <source>is what is read here; write to another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>正是這裡讀取的檔案；請寫入其他檔案。</translation>
     </message>
     <message>
         <source>there is no such file.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有這個檔案。</translation>
     </message>
     <message>
         <source>Every motion has too few frames for %1 key poses.</source>
-        <translation type="unfinished"></translation>
+        <translation>每段動態的影格都太少，不夠用於 %1 個關鍵姿勢。</translation>
     </message>
     <message>
         <source>There is no frame of %1 to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 沒有可寫出的影格。</translation>
     </message>
     <message>
         <source>The file holds %1 skeletons: %2. The first is read unless --root names another.</source>
-        <translation type="unfinished"></translation>
+        <translation>檔案含有 %1 個骨架：%2。除非以 --root 指定其他骨架，否則讀取第一個。</translation>
     </message>
     <message>
         <source>found several skeletons beside it (%1), expected one (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>旁邊有好幾個骨架（%1），只能有一個（請以 --asf 指定）</translation>
     </message>
     <message>
         <source>found %1, expected %2</source>
-        <translation type="unfinished"></translation>
+        <translation>讀到：%1；應為：%2</translation>
     </message>
     <message>
         <source>the end of the file</source>
-        <translation type="unfinished"></translation>
+        <translation>檔案結尾</translation>
     </message>
     <message>
         <source>only the %1 channels that CHANNELS announces</source>
-        <translation type="unfinished"></translation>
+        <translation>只有 CHANNELS 宣告的 %1 個通道</translation>
     </message>
     <message>
         <source>A split by takes needs two takes or more with labelled transitions.</source>
-        <translation type="unfinished"></translation>
+        <translation>依鏡次分組至少需要兩個含有已標記轉換的鏡次。</translation>
     </message>
     <message>
         <source>There are too few labelled transitions to set some apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>已標記的轉換太少，無法另外保留一部分。</translation>
     </message>
     <message>
         <source>For labelling, these joints take their parents&apos; place: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>標記時，這些關節改用上層關節的位置：%1。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no aspect of the vocabulary %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」不是詞彙 %2 的面向。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no qualifier of %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」不是 %2 的修飾詞。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names an aspect twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」重複指定了同一個面向。</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之後應有信心值，例如 0.6 或 60%。</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之後應為信心值，例如 0.6 或 60%，而不是 %2。</translation>
     </message>
     <message>
         <source>Say whether the confidence is &quot;below %1&quot; or &quot;above %1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>請說明信心是「below %1」還是「above %1」。</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之後應有時間，例如 %2。</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2, not %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之後應為時間，例如 %2，而不是 %3。</translation>
     </message>
     <message>
         <source>After %1 two times are expected, such as 0:30 to 1:00.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之後應有兩個時間，例如 0:30 to 1:00。</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之後應為 1 或 2。</translation>
     </message>
     <message>
         <source>After %1 1 or 2 is expected, not %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 之後應為 1 或 2，而不是 %2。</translation>
     </message>
     <message>
         <source>There is no take %1; the takes are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有鏡次 %1；現有鏡次：%2。</translation>
     </message>
     <message>
         <source>Say which take; the takes are %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>請指定鏡次；現有鏡次：%1。</translation>
     </message>
     <message>
         <source>No aspect has a &quot;strike&quot;: %1 will never find anything to react to.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有任何面向設定「strike」：%1 永遠找不到可反應的對象。</translation>
     </message>
     <message>
         <source>The key %1 stands for both %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>按鍵 %1 同時代表 %2 與 %3。</translation>
     </message>
     <message>
         <source>In %1 the key %2 stands for both %3 and %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>在 %1 中，按鍵 %2 同時代表 %3 與 %4。</translation>
     </message>
     <message>
         <source>The target has no %1: their turns go to the joints below them.</source>
-        <translation type="unfinished"></translation>
+        <translation>目標骨架沒有 %1：其旋轉改由下層關節承接。</translation>
     </message>
     <message>
         <source>The source has no %1: they keep their rest relative to their parent.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Against the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
-        <translation type="unfinished"></translation>
+        <translation>來源骨架沒有 %1：這些關節相對於上層關節保持靜止姿勢。</translation>
     </message>
     <message>
         <source>No joint was found for: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>找不到對應的關節：%1。</translation>
     </message>
     <message>
         <source>Joint %1 does not stand behind its parent.</source>
-        <translation type="unfinished"></translation>
+        <translation>關節 %1 沒有排在其上層關節之後。</translation>
     </message>
     <message>
         <source>The channels of joint %1 do not follow the ones before.</source>
-        <translation type="unfinished"></translation>
+        <translation>關節 %1 的通道沒有接續前面的通道。</translation>
     </message>
     <message>
         <source>The End Site %1 has channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>End Site %1 含有通道。</translation>
     </message>
     <message>
         <source>The offset of joint %1 is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>關節 %1 的位移不是有限數值。</translation>
     </message>
     <message>
         <source>Frame 0 is a rest pose, not motion; takes leave it out.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 0 是靜止姿勢，不是動態；鏡次不含此影格。</translation>
     </message>
     <message>
         <source>Frames 0 to %1 are a rest pose, not motion; takes leave them out.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 0 至 %1 是靜止姿勢，不是動態；鏡次不含這些影格。</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在影格 %2 附近沒有邊界。</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2; the nearest is at %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在影格 %2 附近沒有邊界；最近的在 %3。</translation>
     </message>
     <message>
         <source>the recording is missing; its boundaries cannot be edited.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔遺失；無法編輯其邊界。</translation>
     </message>
     <message>
         <source>A time offset must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>時間位移必須是數字。</translation>
     </message>
     <message>
         <source>A placement must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>位置必須是數字。</translation>
     </message>
     <message>
         <source>The floor&apos;s height must be a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>地板高度必須是數字。</translation>
     </message>
     <message>
         <source>There is a take named &quot;%1&quot; already.</source>
-        <translation type="unfinished"></translation>
+        <translation>已有名為「%1」的鏡次。</translation>
     </message>
     <message>
         <source>%1 has another skeleton: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的骨架不同：這不是遺失的那個錄製檔。</translation>
     </message>
     <message>
         <source>the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>副檔名決定寫出的格式，應為 .bvh、.glb、.npz、.csv、.json 或 .eaf。</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be written without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔遺失；沒有它就無法寫出鏡次。</translation>
     </message>
     <message>
         <source>a graph is written as .csv, .json or .graphml.</source>
-        <translation type="unfinished"></translation>
+        <translation>轉換圖可寫成 .csv、.json 或 .graphml。</translation>
     </message>
     <message>
         <source>there is no joint named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有名為「%1」的關節；現有關節：%2。</translation>
     </message>
     <message>
         <source>the name holds bytes that are no UTF-8 text; rename the file or folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>名稱含有不屬於 UTF-8 文字的位元組；請重新命名檔案或資料夾。</translation>
     </message>
     <message>
         <source>the key pose of clip &quot;%1&quot; is not in the project</source>
-        <translation type="unfinished"></translation>
+        <translation>片段「%1」的關鍵姿勢不在專案中</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no source.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」不是標籤來源。</translation>
     </message>
     <message>
         <source>labels are written as .csv, .json or .eaf.</source>
-        <translation type="unfinished"></translation>
+        <translation>標籤可寫成 .csv、.json 或 .eaf。</translation>
     </message>
     <message>
         <source>labels are read from .csv, .json and .eaf files.</source>
-        <translation type="unfinished"></translation>
+        <translation>標籤可從 .csv、.json 與 .eaf 檔案讀取。</translation>
     </message>
     <message>
         <source>the project has no take &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>專案沒有鏡次「%1」。</translation>
     </message>
     <message>
         <source>the take has no such fighter.</source>
-        <translation type="unfinished"></translation>
+        <translation>此鏡次沒有這位選手。</translation>
     </message>
     <message>
         <source>no action there.</source>
-        <translation type="unfinished"></translation>
+        <translation>該處沒有動作。</translation>
     </message>
     <message>
         <source>its action takes the label of %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>該動作已採用 %1 的標籤。</translation>
     </message>
     <message>
         <source>no joint has the role pelvis, so its actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有關節對應骨盆，因此無法比較其動作。</translation>
     </message>
     <message>
         <source>the recording is missing; its actions cannot be labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔遺失；無法標記其動作。</translation>
     </message>
     <message>
         <source>has no body with two legs; it is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有具備雙腿的身體；已略過。</translation>
     </message>
     <message>
         <source>%1 It is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1已略過。</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: expected frames as A:B after the @.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」：@ 之後的影格應寫成 A:B。</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: these frames are not in it; it has %2 to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」：其中沒有這些影格；現有影格 %2 至 %3。</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料庫中沒有標為「%1」的動作。</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot; of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料庫中，該選手沒有標為「%1」的動作。</translation>
     </message>
     <message>
         <source>None of these clips is of that player.</source>
-        <translation type="unfinished"></translation>
+        <translation>這些片段都不是該選手的。</translation>
     </message>
     <message>
         <source>joint &quot;%1&quot; is gone; the role %2 has no joint now.</source>
-        <translation type="unfinished"></translation>
+        <translation>關節「%1」已不存在；角色 %2 目前沒有關節。</translation>
     </message>
     <message>
         <source>%1 The recording is left out; its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1已略過此錄製檔；保留其修正。</translation>
     </message>
     <message>
         <source>the recording is missing; put it back or relink it. Its corrections are kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔遺失；請放回原處或重新連結。其修正仍保留。</translation>
     </message>
     <message>
         <source>the recording has changed since it became part of the project; check the boundaries, then relink it to accept the change.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔加入專案後有變更；請檢查邊界，再重新連結以接受變更。</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be shown without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔遺失；沒有它就無法顯示鏡次。</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; the project has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有名為「%1」的鏡次；專案中沒有鏡次。</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; there is: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有名為「%1」的鏡次；現有鏡次：%2。</translation>
     </message>
     <message>
         <source>no contact force without a body; no joint has the role %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有身體就算不出接觸力；沒有關節對應角色 %1。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; of fighter %2 is no correction without a minimum.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」（選手 %2）不在沒有極小值的修正之列。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; leaves no boundary that could be added.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」沒有可加入的邊界。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be reached: the nearest target that can is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」無法擊中：可及的最近目標是 %2。</translation>
     </message>
     <message>
         <source>What was saved before could not be kept. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>無法保留先前儲存的內容。%1</translation>
     </message>
     <message>
         <source>holds %1 frames only; the take ends there for this fighter.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>frames %1 cannot be taken from a recording of %2 frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有 %1 個影格；這位選手的鏡次到此為止。</translation>
     </message>
     <message>
         <source>holds %1 frames now, the take begins at frame %2; the recording is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>目前只有 %1 個影格，但鏡次從影格 %2 開始；已略過此錄製檔。</translation>
     </message>
     <message>
         <source>holds %1 frames now; the take ends there.</source>
-        <translation type="unfinished"></translation>
+        <translation>目前只有 %1 個影格；鏡次到此為止。</translation>
     </message>
     <message>
         <source>a cutoff of %1 Hz smooths nothing at %2 frames a second; choose one below %3 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>每秒 %2 影格時，截止頻率 %1 Hz 沒有平滑效果；請選低於 %3 Hz 的值。</translation>
     </message>
     <message>
         <source>the annotation &quot;%1&quot; has no time and is left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>註解「%1」沒有時間，已略過。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no action that can be asked for; there are %2, what they strike with, and ASPECT:QUALIFIER.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」不是可要求的動作；可用：%2、打擊所用的部位，以及 ASPECT:QUALIFIER（面向:修飾詞）。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>缺少「%1」。</translation>
     </message>
     <message>
         <source>expected a list.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為清單。</translation>
     </message>
     <message>
         <source>expected an object.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為物件。</translation>
     </message>
     <message>
         <source>expected a whole number.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為整數。</translation>
     </message>
     <message>
         <source>expected a number.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為數字。</translation>
     </message>
     <message>
         <source>expected a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為有限數值。</translation>
     </message>
     <message>
         <source>expected a number above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為大於 0 的數字。</translation>
     </message>
     <message>
         <source>expected true or false.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為 true 或 false。</translation>
     </message>
     <message>
         <source>expected text.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為文字。</translation>
     </message>
     <message>
         <source>expected 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為 0 以上。</translation>
     </message>
     <message>
         <source>expected [begin, end] with 0 &lt;= begin &lt; end.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為 [begin, end]，且 0 &lt;= begin &lt; end。</translation>
     </message>
     <message>
         <source>expected an object with &quot;key_poses&quot;: 1, &quot;rate&quot; and &quot;keys&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為含有 &quot;key_poses&quot;: 1、&quot;rate&quot; 與 &quot;keys&quot; 的物件。</translation>
     </message>
     <message>
         <source>expected a colour like #3a86d8.</source>
-        <translation type="unfinished"></translation>
+        <translation>應為顏色，例如 #3a86d8。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」不是關節角色。</translation>
     </message>
     <message>
         <source>is no joint role.</source>
-        <translation type="unfinished"></translation>
+        <translation>不是關節角色。</translation>
     </message>
     <message>
         <source>is no vocabulary: it has no &quot;vocabulary&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>不是詞彙：缺少「vocabulary」版本。</translation>
     </message>
     <message>
         <source>is the id of two qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個 id 由兩個修飾詞共用。</translation>
     </message>
     <message>
         <source>is the id of two aspects.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個 id 由兩個面向共用。</translation>
     </message>
     <message>
         <source>is the name of two takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個名稱由兩個鏡次共用。</translation>
     </message>
     <message>
         <source>a take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>一個鏡次有一或兩名選手。</translation>
     </message>
     <message>
         <source>a vocabulary has one aspect or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>詞彙至少要有一個面向。</translation>
     </message>
     <message>
         <source>an aspect has two qualifiers or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>面向至少要有兩個修飾詞。</translation>
     </message>
     <message>
         <source>is none of the qualifiers.</source>
-        <translation type="unfinished"></translation>
+        <translation>不在修飾詞之中。</translation>
     </message>
     <message>
         <source>there is no aspect &quot;%1&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有面向「%1」。</translation>
     </message>
     <message>
         <source>The system&apos;s OpenSSL library cannot compute SHA-256.</source>
-        <translation type="unfinished"></translation>
+        <translation>系統的 OpenSSL 程式庫無法計算 SHA-256。</translation>
     </message>
     <message>
         <source>A demo bout lasts from 1 second to 24 hours; %1 seconds were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>示範對打的長度為 1 秒到 24 小時；要求的是 %1 秒。</translation>
     </message>
     <message>
         <source>A demo bout has 24 to 240 frames a second; %1 were asked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>示範對打為每秒 24 到 240 影格；要求的是 %1。</translation>
     </message>
     <message>
         <source>There is no key pose to make a motion of.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有可製作動態的關鍵姿勢。</translation>
     </message>
     <message>
         <source>The library holds no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料庫中沒有動態。</translation>
     </message>
     <message>
         <source>There is no key at frame %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 沒有關鍵姿勢。</translation>
     </message>
     <message>
         <source>Frame %1 is not behind the key before.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 不在前一個關鍵姿勢之後。</translation>
     </message>
     <message>
         <source>Keys can be brought nearer or farther by a factor above 0 only.</source>
-        <translation type="unfinished"></translation>
+        <translation>縮放關鍵姿勢間距的倍數必須大於 0。</translation>
     </message>
     <message>
         <source>Keys cannot be brought that far.</source>
-        <translation type="unfinished"></translation>
+        <translation>關鍵姿勢無法移得那麼遠。</translation>
     </message>
     <message>
         <source>Key poses need a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>關鍵姿勢需要骨架。</translation>
     </message>
     <message>
         <source>Key poses need a rate above 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>關鍵姿勢的速率必須大於 0。</translation>
     </message>
     <message>
         <source>The key at frame %1 is a pose of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 的關鍵姿勢屬於另一個骨架。</translation>
     </message>
     <message>
         <source>The key at frame %1 comes after one at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 的關鍵姿勢排到了影格 %2 的後面。</translation>
     </message>
     <message>
         <source>Frames %1:%2 are not in the take, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1:%2 不在鏡次中；鏡次有 %3 個影格。</translation>
     </message>
     <message>
         <source>The part comes from another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>部位來自另一個骨架。</translation>
     </message>
     <message>
         <source>Frames %1 to %2 are not in the source, which has %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 至 %2 不在來源中；來源有 %3 個影格。</translation>
     </message>
     <message>
         <source>There is no key pose to look for.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有可供尋找的關鍵姿勢。</translation>
     </message>
     <message>
         <source>At most 1000 key poses can be looked for.</source>
-        <translation type="unfinished"></translation>
+        <translation>最多可尋找 1000 個關鍵姿勢。</translation>
     </message>
     <message>
         <source>Every key pose needs its features and its frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>每個關鍵姿勢都需要特徵與影格。</translation>
     </message>
     <message>
         <source>Key poses must stand in the order of their frames, one per frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>關鍵姿勢必須依影格順序排列，每個影格最多一個。</translation>
     </message>
     <message>
         <source>Two examples of the strike cannot be aligned in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>這個打擊有兩個範例無法在時間上對齊。</translation>
     </message>
     <message>
         <source>There is no example of the strike to blend.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有可混合的打擊範例。</translation>
     </message>
     <message>
         <source>The skeleton has no %1: its roles tell nothing that could hit.</source>
-        <translation type="unfinished"></translation>
+        <translation>骨架沒有 %1：從角色看不出用什麼打擊。</translation>
     </message>
     <message>
         <source>Strike &quot;%1&quot; is of another skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>打擊「%1」屬於另一個骨架。</translation>
     </message>
     <message>
         <source>Feature poses must come in pairs, one of the query and one of the clip.</source>
-        <translation type="unfinished"></translation>
+        <translation>特徵姿勢必須成對，查詢與片段各一個。</translation>
     </message>
     <message>
         <source>Feature poses must follow each other in time.</source>
-        <translation type="unfinished"></translation>
+        <translation>特徵姿勢必須依時間先後排列。</translation>
     </message>
     <message>
         <source>An AMC file does not say its frame rate: 120 Hz is assumed; give another with --rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>AMC 檔案不含影格率：假定為 120 Hz；可用 --rate 指定其他值。</translation>
     </message>
     <message>
         <source>Frame %1, the last, is cut: it is dropped.</source>
-        <translation type="unfinished"></translation>
+        <translation>最後的影格 %1 不完整：已捨棄。</translation>
     </message>
     <message>
         <source>Frame %1 does not follow the one before it by number: the frames are taken one after the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 的編號沒有接續前一個：影格依檔案中的順序讀取。</translation>
     </message>
     <message>
         <source>found %1 numbers, expected %2 for bone %3 in frame %4</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %4 的骨骼 %3 有 %1 個數字，應有 %2 個</translation>
     </message>
     <message>
         <source>found no line for bone %1 in frame %2, expected one for each bone with a dof</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %2 沒有骨骼 %1 的資料列，有 dof 的骨骼都應各有一列</translation>
     </message>
     <message>
         <source>found %1, expected a unit of length greater than zero</source>
-        <translation type="unfinished"></translation>
+        <translation>讀到 %1，長度單位應大於零</translation>
     </message>
     <message>
         <source>found a bone without name, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>骨骼沒有名稱，應有名稱</translation>
     </message>
     <message>
         <source>found a second bone %1, expected one</source>
-        <translation type="unfinished"></translation>
+        <translation>骨骼 %1 重複出現，應只有一個</translation>
     </message>
     <message>
         <source>found bone %1 a second time, expected one parent for each</source>
-        <translation type="unfinished"></translation>
+        <translation>骨骼 %1 出現兩次，每個骨骼應只有一個上層</translation>
     </message>
     <message>
         <source>found bone %1 that does not hang on the root, expected it in :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>骨骼 %1 沒有連到根，應列在 :hierarchy 中</translation>
     </message>
     <message>
         <source>found a skeleton without any dof, expected an order for the root</source>
-        <translation type="unfinished"></translation>
+        <translation>骨架沒有任何 dof，根應有 order</translation>
     </message>
     <message>
         <source>Bone %1 changes its length: that is not used.</source>
-        <translation type="unfinished"></translation>
+        <translation>骨骼 %1 的長度會改變：不採用。</translation>
     </message>
     <message>
         <source>found more joints than a skeleton can have, expected %1 at most</source>
-        <translation type="unfinished"></translation>
+        <translation>關節超過骨架所能容納的數量，最多 %1 個</translation>
     </message>
     <message>
         <source>%1 has no OFFSET: taken as 0 0 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 沒有 OFFSET：視為 0 0 0。</translation>
     </message>
     <message>
         <source>%1 has channels or children: read as a joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 含有通道或子關節：視為關節讀取。</translation>
     </message>
     <message>
         <source>found a second %1, expected one in joint %2</source>
-        <translation type="unfinished"></translation>
+        <translation>讀到第二個 %1，關節 %2 中應只有一個</translation>
     </message>
     <message>
         <source>found a skeleton without any channel, expected CHANNELS</source>
-        <translation type="unfinished"></translation>
+        <translation>骨架沒有任何通道，應有 CHANNELS</translation>
     </message>
     <message>
         <source>found %1 numbers after Frame Time, expected at least one frame of %2 numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Time 之後有 %1 個數字，應至少有一個含 %2 個數字的影格</translation>
     </message>
     <message>
         <source>found more frames than can be counted, expected fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>影格多到無法計數，請減少</translation>
     </message>
     <message>
         <source>A .glb file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>.glb 檔案不能超過 4 GB：請匯出較短的範圍。</translation>
     </message>
     <message>
         <source>There is no figure to write.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有可寫出的人物。</translation>
     </message>
     <message>
         <source>A glTF skeleton cannot have more than 65 535 joints.</source>
-        <translation type="unfinished"></translation>
+        <translation>glTF 骨架不能超過 65 535 個關節。</translation>
     </message>
     <message>
         <source>is not valid JSON here.</source>
-        <translation type="unfinished"></translation>
+        <translation>此處不是有效的 JSON。</translation>
     </message>
     <message>
         <source>holds a number that is too large.</source>
-        <translation type="unfinished"></translation>
+        <translation>含有過大的數字。</translation>
     </message>
     <message>
         <source>A .npz file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation type="unfinished"></translation>
+        <translation>.npz 檔案不能超過 4 GB：請匯出較短的範圍。</translation>
     </message>
     <message>
         <source>found no skeleton beside it, expected an .asf file (name it with --asf)</source>
-        <translation type="unfinished"></translation>
+        <translation>旁邊沒有骨架，應有 .asf 檔案（請以 --asf 指定）</translation>
     </message>
     <message>
         <source>found an ASF skeleton, which holds no motion, expected the .amc file that belongs to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>found %1 file, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
-        <translation type="unfinished"></translation>
+        <translation>這是 ASF 骨架，不含動態，應為所屬的 .amc 檔案。</translation>
     </message>
     <message>
         <source>The recording holds no skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製檔中沒有骨架。</translation>
     </message>
     <message>
         <source>found UTF-16 text, expected plain text (save the file as UTF-8)</source>
-        <translation type="unfinished"></translation>
+        <translation>讀到 UTF-16 文字，應為純文字（請將檔案存成 UTF-8）</translation>
     </message>
     <message>
         <source>has a quote that is not closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>有未關閉的引號。</translation>
     </message>
     <message>
         <source>No joint has the role pelvis: actions cannot be compared.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有關節對應骨盆：無法比較動作。</translation>
     </message>
     <message>
         <source>Nothing stands before &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「or」之前沒有內容。</translation>
     </message>
     <message>
         <source>Nothing stands after &quot;or&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「or」之後沒有內容。</translation>
     </message>
     <message>
         <source>Something is missing after &quot;not&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>「not」之後缺少內容。</translation>
     </message>
     <message>
         <source>Points to be aligned must come in pairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>要對齊的點必須成對。</translation>
     </message>
     <message>
         <source>Points to be aligned need a weight above zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>要對齊的點，權重必須大於零。</translation>
     </message>
     <message>
         <source>A rate must be a positive number of frames a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>速率必須是正的每秒影格數。</translation>
     </message>
     <message>
         <source>Foot locking needs a frame to show.</source>
-        <translation type="unfinished"></translation>
+        <translation>足部鎖定需要可顯示的影格。</translation>
     </message>
     <message>
         <source>Foot locking needs to know of every frame which feet stand.</source>
-        <translation type="unfinished"></translation>
+        <translation>足部鎖定需要知道每個影格有哪些腳站定。</translation>
     </message>
     <message>
         <source>A clip without frames cannot be joined.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有影格的片段無法接合。</translation>
     </message>
     <message>
         <source>Clips can be joined only at one rate and on one skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>片段的速率與骨架都相同才能接合。</translation>
     </message>
     <message>
         <source>A motion needs a skeleton.</source>
-        <translation type="unfinished"></translation>
+        <translation>動態需要骨架。</translation>
     </message>
     <message>
         <source>A motion&apos;s frame time must be a positive number of seconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>動態的影格時間必須是正的秒數。</translation>
     </message>
     <message>
         <source>A motion&apos;s channel values do not fill its frames.</source>
-        <translation type="unfinished"></translation>
+        <translation>動態的通道數值不足以填滿影格。</translation>
     </message>
     <message>
         <source>A channel value is not a finite number.</source>
-        <translation type="unfinished"></translation>
+        <translation>有通道數值不是有限數值。</translation>
     </message>
     <message>
         <source>A clip&apos;s rig does not have the joints of its motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>片段的骨架與其動態的關節不符。</translation>
     </message>
     <message>
         <source>A clip of %1 joints cannot be written with the %2 joints of another skeleton: retarget it first.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 個關節的片段無法寫成另一個有 %2 個關節的骨架：請先重定向。</translation>
     </message>
     <message>
         <source>Ways are scaled by %1 for the legs&apos; lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>移動距離依腿長縮放為 %1 倍。</translation>
     </message>
     <message>
         <source>%1 moves by up to %2 cm of its own, which is not kept: %3 carries the body.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 自行移動最多 %2 cm，此移動不保留：帶動身體的是 %3。</translation>
     </message>
     <message>
         <source>The bone to %1 changes by up to %2 cm; its mean is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>通往 %1 的骨骼長度變化最多 %2 cm；採用其平均值。</translation>
     </message>
     <message>
         <source>No neck: the chest (%1) stands in for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有頸部：以胸部（%1）代替。</translation>
     </message>
     <message>
         <source>The joint names say nothing; the roles were read off the skeleton&apos;s shape. Check left and right.</source>
-        <translation type="unfinished"></translation>
+        <translation>從關節名稱看不出角色；角色已由骨架形狀判讀。請檢查左右。</translation>
     </message>
     <message>
         <source>This skeleton is not a human body that is known here: it is shown and measured, but the contact force needs joint roles. Name them by hand if it is one.</source>
-        <translation type="unfinished"></translation>
+        <translation>此骨架不是程式認得的人體：可以顯示與測量，但接觸力需要關節角色。若這是人體，請手動指定角色。</translation>
     </message>
     <message>
         <source>A skeleton needs at least one joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>骨架至少需要一個關節。</translation>
     </message>
     <message>
         <source>A skeleton&apos;s channel count does not add up.</source>
-        <translation type="unfinished"></translation>
+        <translation>骨架的通道總數不符。</translation>
     </message>
     <message>
         <source>The body lies along the x axis; y was taken for up. Say which axis is up.</source>
-        <translation type="unfinished"></translation>
+        <translation>身體沿 x 軸平躺；已將 y 當成朝上。請指定朝上的軸。</translation>
     </message>
     <message>
         <source>Without legs the unit cannot be found; centimetres are assumed.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有腿就無法求得單位；假定為公分。</translation>
     </message>
     <message>
         <source>The labels belong to another segmentation.</source>
-        <translation type="unfinished"></translation>
+        <translation>標籤屬於另一個分段。</translation>
     </message>
     <message>
         <source>The differences belong to another segmentation or vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>差異屬於另一個分段或詞彙。</translation>
     </message>
     <message>
         <source>Fighter %1 has no removed boundary near frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在影格 %2 附近沒有已移除的邊界。</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; move that one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在影格 %2 已有另一個邊界；請先移動它。</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take, whose last frame is %2: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 不在鏡次之內（最後影格為 %2）：該處不能有邊界。</translation>
     </message>
     <message>
         <source>The boundary can move between its neighbours only: frames %1 to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>邊界只能在相鄰邊界之間移動：影格 %1 至 %2。</translation>
     </message>
     <message>
         <source>The boundary at frame %1 is an end of the take, which stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 的邊界是鏡次的端點，不能變更。</translation>
     </message>
     <message>
         <source>Take %1, player %2: its skeleton has other joints than that of the first take, so it is left out of bouts.</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次 %1，選手 %2：骨架的關節與第一個鏡次不同，因此不用於對打。</translation>
     </message>
     <message>
         <source>No action of player %1 begins in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在鏡次 %4 的影格 %2 至 %3 之間沒有開始任何動作。</translation>
     </message>
     <message>
         <source>Player %1 does not attack in frames %2 to %3 of take %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在鏡次 %4 的影格 %2 至 %3 之間沒有攻擊。</translation>
     </message>
     <message>
         <source>Player %1 never attacks.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 從未攻擊。</translation>
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>無法建立資料夾 %1：%2。</translation>
     </message>
     <message>
         <source>The cutoff must be a positive number of Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>截止頻率必須是大於 0 的 Hz 值。</translation>
     </message>
     <message>
         <source>The prominence must be a number of body weights, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>突出度必須是 0 以上的體重倍數。</translation>
     </message>
     <message>
         <source>A take needs a name.</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次需要名稱。</translation>
     </message>
     <message>
         <source>A take has one or two fighters.</source>
-        <translation type="unfinished"></translation>
+        <translation>一個鏡次有一或兩名選手。</translation>
     </message>
     <message>
         <source>There is no such place in the list of takes.</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次清單中沒有這個位置。</translation>
     </message>
     <message>
         <source>There is one fighter only: nothing to swap.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有一名選手：無從對調。</translation>
     </message>
     <message>
         <source>The skeleton has no such joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>骨架沒有這個關節。</translation>
     </message>
     <message>
         <source>%1 holds %2 frames, but the take reaches to frame %3: it is not the recording that is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 有 %2 個影格，但鏡次到影格 %3 為止：這不是遺失的那個錄製檔。</translation>
     </message>
     <message>
         <source>The placement cannot be written: neither the root nor a joint right below it has all position and rotation channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>無法寫入位置：根或其正下方的關節都沒有完整的位置與旋轉通道。</translation>
     </message>
     <message>
         <source>A take is made of one or two recordings.</source>
-        <translation type="unfinished"></translation>
+        <translation>一個鏡次由一到兩個錄製檔組成。</translation>
     </message>
     <message>
         <source>The take&apos;s name holds bytes that are no UTF-8 text.</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次名稱含有不屬於 UTF-8 文字的位元組。</translation>
     </message>
     <message>
         <source>A frame rate lies between 1 and 10000 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格率須介於 1 與 10000 Hz 之間。</translation>
     </message>
     <message>
         <source>The recordings run at %1 and %2 Hz; each keeps its own rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>兩個錄製檔分別為 %1 與 %2 Hz；各自保留原本的速率。</translation>
     </message>
     <message>
         <source>Take %1, player %2: no pelvis or no centre of mass is known, so its actions are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>鏡次 %1，選手 %2：骨盆或質心未知，因此略過其動作。</translation>
     </message>
     <message>
         <source>Player %1: %2 of %3 actions have no label and are left out, with every transition that touches them.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1：%3 個動作中有 %2 個沒有標籤，連同相關的轉換都已略過。</translation>
     </message>
     <message>
         <source>No take of two has a recording of player %1 with the skeleton of the bout: it was removed since the bout was begun.</source>
-        <translation type="unfinished"></translation>
+        <translation>雙人鏡次中，選手 %1 沒有使用此對打骨架的錄製檔：對打開始後已被移除。</translation>
     </message>
     <message>
         <source>An .eaf file holds one take: say which.</source>
-        <translation type="unfinished"></translation>
+        <translation>一個 .eaf 檔案只容納一個鏡次：請指定鏡次。</translation>
     </message>
     <message>
         <source>is empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>是空的。</translation>
     </message>
     <message>
         <source>has no column %1; a label table needs begin_s, end_s and label.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有 %1 欄；標籤表格需要 begin_s、end_s 與 label。</translation>
     </message>
     <message>
         <source>holds no labels: it has neither &quot;kumite_labels&quot; nor &quot;players&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>不含標籤：沒有「kumite_labels」也沒有「players」。</translation>
     </message>
     <message>
         <source>There is no action %1; the fighter has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有動作 %1；這位選手有 %2 個動作。</translation>
     </message>
     <message>
         <source>The vocabulary has no aspect %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>詞彙沒有面向 %1。</translation>
     </message>
     <message>
         <source>%1 has no qualifier %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 沒有修飾詞 %2。</translation>
     </message>
     <message>
         <source>The label belongs to another vocabulary.</source>
-        <translation type="unfinished"></translation>
+        <translation>標籤屬於另一個詞彙。</translation>
     </message>
     <message>
         <source>The thresholds of the rules must be numbers, 0 or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>規則的門檻必須是 0 以上的數字。</translation>
     </message>
     <message>
         <source>A cross-validation has two folds or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>交叉驗證至少要分成兩份。</translation>
     </message>
     <message>
         <source>A library&apos;s rate lies between %1 and %2 Hz.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料庫的速率須介於 %1 與 %2 Hz 之間。</translation>
     </message>
     <message>
         <source>The library is empty: no source holds the motion of a body.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料庫是空的：沒有任何來源含有身體的動態。</translation>
     </message>
     <message>
         <source>The library has no clip &quot;%1&quot;; it has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料庫沒有片段「%1」；現有片段：%2。</translation>
     </message>
     <message>
         <source>None of these clips shows a hand or a foot that strikes.</source>
-        <translation type="unfinished"></translation>
+        <translation>這些片段都沒有手或腳的打擊。</translation>
     </message>
     <message>
         <source>No strike of the %1 was found in &quot;%2&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>在「%2」中找不到 %1 的打擊。</translation>
     </message>
     <message>
         <source>%1 was not where the project says; the same recording was found at %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 不在專案所記的位置；在 %2 找到相同的錄製檔。</translation>
     </message>
     <message>
         <source>%1 is there already: choose another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已經存在：請選擇其他名稱。</translation>
     </message>
     <message>
         <source>is a recording; make a project of it with kumite new.</source>
-        <translation type="unfinished"></translation>
+        <translation>是錄製檔；請用 kumite new 建立成專案。</translation>
     </message>
     <message>
         <source>is not a Kumite project: it has no &quot;kumite&quot; version.</source>
-        <translation type="unfinished"></translation>
+        <translation>不是 Kumite 專案：缺少「kumite」版本。</translation>
     </message>
     <message>
         <source>was written by a newer Kumite (file version %1, this one reads up to %2); open it with that one.</source>
-        <translation type="unfinished"></translation>
+        <translation>由較新的 Kumite 寫入（檔案版本 %1，本程式最多讀到 %2）；請用該版本開啟。</translation>
     </message>
     <message>
         <source>No motion from key poses of %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 的關鍵姿勢無法產生動態：%2</translation>
     </message>
     <message>
         <source>There is no clip to rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有可評分的片段。</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take: a boundary cannot stand there.</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 不在鏡次之內：該處不能有邊界。</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; forget this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在影格 %2 已有另一個邊界；請捨棄這個。</translation>
     </message>
     <message>
         <source>Fighter %1 has no action at frame %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 在影格 %2 沒有動作。</translation>
     </message>
     <message>
         <source>The budget is a share of all actions, above 0 and at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>額度是佔全部動作的比例，須大於 0 且不超過 1。</translation>
     </message>
     <message>
         <source>Player %1 has no labelled action that follows another labelled one: label more of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 沒有接在已標記動作之後的已標記動作：請為這位選手標記更多。</translation>
     </message>
     <message>
         <source>The captured attack holds no action.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄下的攻擊不含動作。</translation>
     </message>
     <message>
         <source>No take of two shows player %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有任何雙人鏡次含有選手 %1。</translation>
     </message>
     <message>
         <source>The captured attack cannot be shown: its take is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>無法顯示錄下的攻擊：其鏡次遺失。</translation>
     </message>
     <message>
         <source>Player %1 shows nothing but attacks outside of the captured one.</source>
-        <translation type="unfinished"></translation>
+        <translation>除了錄下的攻擊之外，選手 %1 也只有攻擊。</translation>
     </message>
     <message>
         <source>No recorded moment shows both fighters labelled.</source>
-        <translation type="unfinished"></translation>
+        <translation>錄製中沒有任何時刻是雙方都有標籤的。</translation>
     </message>
     <message>
         <source>Only a bout with an avatar can be steered.</source>
-        <translation type="unfinished"></translation>
+        <translation>只有化身模式的對打可以操控。</translation>
     </message>
     <message>
         <source>The library was made without an avatar&apos;s model.</source>
-        <translation type="unfinished"></translation>
+        <translation>資料庫建立時沒有化身的模型。</translation>
     </message>
     <message>
         <source>Player %1 never shows &quot;%2&quot; after another labelled action.</source>
-        <translation type="unfinished"></translation>
+        <translation>選手 %1 從未在其他已標記動作之後做出「%2」。</translation>
     </message>
     <message>
         <source>A weight is 0 (never) or a positive factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>權重為 0（永不）或正的倍數。</translation>
     </message>
     <message>
         <source>A temperature is 0 or positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>溫度為 0 或正數。</translation>
     </message>
     <message>
         <source>No action of the avatar is followed by half a second of its take.</source>
-        <translation type="unfinished"></translation>
+        <translation>化身的每個動作之後，鏡次都剩不到半秒。</translation>
     </message>
     <message>
         <source>The action has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>此動作沒有影格。</translation>
     </message>
     <message>
         <source>The threshold of pose clusters must be a positive number.</source>
-        <translation type="unfinished"></translation>
+        <translation>姿勢群集的門檻必須是正數。</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no motion.</source>
-        <translation type="unfinished"></translation>
+        <translation>區塊「%1」沒有動態。</translation>
     </message>
     <message>
         <source>Frames %1:%2 cannot be taken from &quot;%3&quot;, which has %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>無法從「%3」取用影格 %1:%2；它有 %4 個影格。</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>區塊「%1」沒有影格。</translation>
     </message>
     <message>
         <source>The sequence has no block.</source>
-        <translation type="unfinished"></translation>
+        <translation>序列沒有區塊。</translation>
     </message>
     <message>
         <source>There is no path in the graph between these two actions; choose a curve, or clips played backward.</source>
-        <translation type="unfinished"></translation>
+        <translation>圖中沒有連接這兩個動作的路徑；請選擇曲線，或倒轉播放的片段。</translation>
     </message>
     <message>
         <source>There are %1 candidate paths, counted from 0: no path %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>共有 %1 條候選路徑，從 0 起算：沒有路徑 %2。</translation>
     </message>
     <message>
         <source>A transition needs motion on both sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>轉換的前後都要有動態。</translation>
     </message>
     <message>
         <source>%1 (%2–%3 s, fighter %4): %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1（%2–%3 s，選手 %4）：%5</translation>
     </message>
     <message>
         <source>at least one whole frame</source>
-        <translation type="unfinished"></translation>
+        <translation>至少一個完整影格</translation>
     </message>
     <message>
         <source>the number of a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>影格編號</translation>
     </message>
     <message>
         <source>a bone of the skeleton that has a dof, or the number of the frame after %1</source>
-        <translation type="unfinished"></translation>
+        <translation>骨架中有 dof 的骨骼，或影格 %1 之後的影格編號</translation>
     </message>
     <message>
         <source>each bone once in frame %1</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %1 中每個骨骼各一次</translation>
     </message>
     <message>
         <source>a number for bone %1 in frame %2</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %2 中骨骼 %1 的數字</translation>
     </message>
     <message>
         <source>only %1 numbers for bone %2 in frame %3</source>
-        <translation type="unfinished"></translation>
+        <translation>影格 %3 中骨骼 %2 只有 %1 個數字</translation>
     </message>
     <message>
         <source>a section of an ASF file, such as :units or :bonedata</source>
-        <translation type="unfinished"></translation>
+        <translation>ASF 檔案的區段，例如 :units 或 :bonedata</translation>
     </message>
     <message>
         <source>the section :root</source>
-        <translation type="unfinished"></translation>
+        <translation>:root 區段</translation>
     </message>
     <message>
         <source>the section :hierarchy</source>
-        <translation type="unfinished"></translation>
+        <translation>:hierarchy 區段</translation>
     </message>
     <message>
         <source>deg or rad</source>
-        <translation type="unfinished"></translation>
+        <translation>deg 或 rad</translation>
     </message>
     <message>
         <source>order, axis, position or orientation</source>
-        <translation type="unfinished"></translation>
+        <translation>order、axis、position 或 orientation</translation>
     </message>
     <message>
         <source>10000 bones at most</source>
-        <translation type="unfinished"></translation>
+        <translation>最多 10000 個骨骼</translation>
     </message>
     <message>
         <source>end, behind the last line of a bone</source>
-        <translation type="unfinished"></translation>
+        <translation>end，位於骨骼的最後一行之後</translation>
     </message>
     <message>
         <source>the name of a bone of :bonedata, or end</source>
-        <translation type="unfinished"></translation>
+        <translation>:bonedata 中的骨骼名稱，或 end</translation>
     </message>
     <message>
         <source>an order of rotations, such as XYZ</source>
-        <translation type="unfinished"></translation>
+        <translation>旋轉順序，例如 XYZ</translation>
     </message>
     <message>
         <source>each degree of freedom once</source>
-        <translation type="unfinished"></translation>
+        <translation>每個自由度各一次</translation>
     </message>
     <message>
         <source>OFFSET, CHANNELS, JOINT, End Site or } in joint %1</source>
-        <translation type="unfinished"></translation>
+        <translation>關節 %1 中的 OFFSET、CHANNELS、JOINT、End Site 或 }</translation>
     </message>
     <message>
         <source>the number of channels, 0 to 6</source>
-        <translation type="unfinished"></translation>
+        <translation>通道數，0 到 6</translation>
     </message>
     <message>
         <source>each channel once in a joint</source>
-        <translation type="unfinished"></translation>
+        <translation>每個通道在一個關節中只出現一次</translation>
     </message>
     <message>
         <source>channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 的通道 %1：Xposition、Yposition、Zposition、Xrotation、Yrotation 或 Zrotation</translation>
     </message>
     <message>
         <source>Frame Time:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frame Time:</translation>
     </message>
     <message>
         <source>Frames:</source>
-        <translation type="unfinished"></translation>
+        <translation>Frames:</translation>
     </message>
     <message>
         <source>a finite number with a decimal point</source>
-        <translation type="unfinished"></translation>
+        <translation>以小數點表示的有限數值</translation>
     </message>
     <message>
         <source>no action of the opponent at that time</source>
-        <translation type="unfinished"></translation>
+        <translation>對手當時沒有動作</translation>
     </message>
     <message>
         <source>the opponent&apos;s action is no attack</source>
-        <translation type="unfinished"></translation>
+        <translation>對手的動作不是攻擊</translation>
     </message>
     <message>
         <source>stands left</source>
-        <translation type="unfinished"></translation>
+        <translation>左腳支撐</translation>
     </message>
     <message>
         <source>stands right</source>
-        <translation type="unfinished"></translation>
+        <translation>右腳支撐</translation>
     </message>
     <message>
         <source>in the air</source>
-        <translation type="unfinished"></translation>
+        <translation>騰空</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing only %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>對手的%1，逼近速度僅 %2 m/s</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing %2 m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>對手的%1，逼近速度 %2 m/s</translation>
     </message>
     <message>
         <source>%1 at the beginning, %2 at the end</source>
-        <translation type="unfinished"></translation>
+        <translation>開始時%1，結束時%2</translation>
+    </message>
+    <message>
+        <source>There is no root %1; the recording has %2.</source>
+        <translation>沒有根節點 %1；錄製檔中有 %2。</translation>
+    </message>
+    <message>
+        <source>The body stands on its head most of the time: is up right?</source>
+        <translation>身體大部分時間頭下腳上：上方軸正確嗎？</translation>
+    </message>
+    <message>
+        <source>The legs would be %1 m long: is the unit (%2) right?</source>
+        <translation>腿長會是 %1 m：單位（%2）正確嗎？</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
+        <translation>以腿長為準，目標骨架的手臂長了 %1%：雙手到不了相同的位置。</translation>
+    </message>
+    <message>
+        <source>Relative to the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
+        <translation>以腿長為準，目標骨架的手臂短了 %1%：雙手到不了相同的位置。</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>frames %1:%2 cannot be taken from a recording of %3 frames.</source>
+        <translation>影格 %1:%2 無法從 %3 個影格的錄製中取出。</translation>
+    </message>
+    <message>
+        <source>found %1 data, expected BVH or ASF/AMC: import it into Blender and export it as Motion Capture (.bvh).</source>
+        <translation>讀到 %1 資料；應為 BVH 或 ASF/AMC。請匯入 Blender，再匯出為 Motion Capture (.bvh)。</translation>
+    </message>
+    <message>
+        <source>the opponent&apos;s action is not labelled yet</source>
+        <translation>對手的動作尚未標記</translation>
     </message>
 </context>
 <context>
@@ -1451,162 +1471,162 @@
     <name>Role</name>
     <message>
         <source>pelvis</source>
-        <translation type="unfinished"></translation>
+        <translation>骨盆</translation>
     </message>
     <message>
         <source>spine</source>
-        <translation type="unfinished"></translation>
+        <translation>脊椎</translation>
     </message>
     <message>
         <source>chest</source>
-        <translation type="unfinished">胸部</translation>
+        <translation>胸部</translation>
     </message>
     <message>
         <source>neck</source>
-        <translation type="unfinished"></translation>
+        <translation>頸部</translation>
     </message>
     <message>
         <source>head</source>
-        <translation type="unfinished">頭部</translation>
+        <translation>頭部</translation>
     </message>
     <message>
         <source>left clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>左鎖骨</translation>
     </message>
     <message>
         <source>left shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>左肩</translation>
     </message>
     <message>
         <source>left elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>左肘</translation>
     </message>
     <message>
         <source>left wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>左腕</translation>
     </message>
     <message>
         <source>left hip</source>
-        <translation type="unfinished"></translation>
+        <translation>左髖</translation>
     </message>
     <message>
         <source>left knee</source>
-        <translation type="unfinished"></translation>
+        <translation>左膝</translation>
     </message>
     <message>
         <source>left ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>左踝</translation>
     </message>
     <message>
         <source>left toe</source>
-        <translation type="unfinished"></translation>
+        <translation>左腳趾</translation>
     </message>
     <message>
         <source>right clavicle</source>
-        <translation type="unfinished"></translation>
+        <translation>右鎖骨</translation>
     </message>
     <message>
         <source>right shoulder</source>
-        <translation type="unfinished"></translation>
+        <translation>右肩</translation>
     </message>
     <message>
         <source>right elbow</source>
-        <translation type="unfinished"></translation>
+        <translation>右肘</translation>
     </message>
     <message>
         <source>right wrist</source>
-        <translation type="unfinished"></translation>
+        <translation>右腕</translation>
     </message>
     <message>
         <source>right hip</source>
-        <translation type="unfinished"></translation>
+        <translation>右髖</translation>
     </message>
     <message>
         <source>right knee</source>
-        <translation type="unfinished"></translation>
+        <translation>右膝</translation>
     </message>
     <message>
         <source>right ankle</source>
-        <translation type="unfinished"></translation>
+        <translation>右踝</translation>
     </message>
     <message>
         <source>right toe</source>
-        <translation type="unfinished"></translation>
+        <translation>右腳趾</translation>
     </message>
 </context>
 <context>
     <name>ShortLabel</name>
     <message>
         <source>fwd</source>
-        <translation type="unfinished"></translation>
+        <translation>前</translation>
     </message>
     <message>
         <source>bwd</source>
-        <translation type="unfinished"></translation>
+        <translation>後</translation>
     </message>
     <message>
         <source>bwdfwd</source>
-        <translation type="unfinished"></translation>
+        <translation>後前</translation>
     </message>
     <message>
         <source>fwdbwd</source>
-        <translation type="unfinished"></translation>
+        <translation>前後</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished">向上</translation>
+        <translation>上</translation>
     </message>
     <message>
         <source>down</source>
-        <translation type="unfinished">向下</translation>
+        <translation>下</translation>
     </message>
     <message>
         <source>downup</source>
-        <translation type="unfinished"></translation>
+        <translation>下上</translation>
     </message>
     <message>
         <source>kick</source>
-        <translation type="unfinished"></translation>
+        <translation>踢</translation>
     </message>
     <message>
         <source>punch</source>
-        <translation type="unfinished"></translation>
+        <translation>拳</translation>
     </message>
     <message>
         <source>L-L</source>
-        <translation type="unfinished"></translation>
+        <translation>左-左</translation>
     </message>
     <message>
         <source>L-R</source>
-        <translation type="unfinished"></translation>
+        <translation>左-右</translation>
     </message>
     <message>
         <source>L-F</source>
-        <translation type="unfinished"></translation>
+        <translation>左-空</translation>
     </message>
     <message>
         <source>R-L</source>
-        <translation type="unfinished"></translation>
+        <translation>右-左</translation>
     </message>
     <message>
         <source>R-R</source>
-        <translation type="unfinished"></translation>
+        <translation>右-右</translation>
     </message>
     <message>
         <source>R-F</source>
-        <translation type="unfinished"></translation>
+        <translation>右-空</translation>
     </message>
     <message>
         <source>F-L</source>
-        <translation type="unfinished"></translation>
+        <translation>空-左</translation>
     </message>
     <message>
         <source>F-R</source>
-        <translation type="unfinished"></translation>
+        <translation>空-右</translation>
     </message>
     <message>
         <source>F-F</source>
-        <translation type="unfinished"></translation>
+        <translation>空-空</translation>
     </message>
 </context>
 <context>

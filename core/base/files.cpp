@@ -3,10 +3,10 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,9 +41,31 @@ bool writeAll(int file, std::string_view content) {
     return true;
 }
 
+constexpr std::string_view kTemporary = ".kumite-";
+constexpr std::string_view kPart = ".part";
+constexpr auto kForgotten = std::chrono::minutes(10);
+
+/// Removes temporary files beside `mine` that nobody can be writing any more, going by the clock of
+/// the disk that holds them.
+void removeForgotten(const std::filesystem::path& mine) {
+    namespace fs = std::filesystem;
+    std::error_code unknown;  // what cannot be looked at stays
+    const fs::file_time_type now = fs::last_write_time(mine, unknown);
+    if (unknown) return;
+    const fs::path folder = mine.has_parent_path() ? mine.parent_path() : ".";
+    for (fs::directory_iterator entry(folder, unknown); entry != fs::directory_iterator();
+         entry.increment(unknown)) {
+        const std::string name = entry->path().filename().string();
+        if (!name.starts_with(kTemporary) || !name.ends_with(kPart)) continue;
+        std::error_code gone;
+        const fs::file_time_type written = entry->last_write_time(gone);
+        if (!gone && now - written > kForgotten) fs::remove(entry->path(), gone);
+    }
+}
+
 }  // namespace
 
-MappedFile::MappedFile(const std::filesystem::path& path) {
+FileBytes::FileBytes(const std::filesystem::path& path) {
     std::error_code unknown;  // what cannot be examined fails below, with the system's reason
     if (std::filesystem::is_directory(path, unknown)) {
         throw Error(path.string() + ": is a folder, expected a file.");
@@ -56,15 +78,15 @@ MappedFile::MappedFile(const std::filesystem::path& path) {
     if (!S_ISREG(info.st_mode)) {
         throw Error(path.string() + ": is no regular file; save it as one first.");
     }
-    size_ = static_cast<std::size_t>(info.st_size);
-    if (size_ == 0) return;  // an empty file cannot be mapped
-    void* data = ::mmap(nullptr, size_, PROT_READ, MAP_PRIVATE, file.number, 0);
-    if (data == MAP_FAILED) throw systemError("read", path);
-    data_ = static_cast<const char*>(data);
-}
-
-MappedFile::~MappedFile() {
-    if (data_) ::munmap(const_cast<char*>(data_), size_);
+    const auto expected = static_cast<std::size_t>(info.st_size);
+    data_ = std::make_unique_for_overwrite<char[]>(expected);
+    while (size_ < expected) {
+        const ssize_t got = ::read(file.number, data_.get() + size_, expected - size_);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw systemError("read", path);
+        if (got == 0) return;  // it was cut short meanwhile
+        size_ += static_cast<std::size_t>(got);
+    }
 }
 
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content,
@@ -89,8 +111,8 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
     }
     static std::atomic<int> number = 0;  // two threads may write into one folder
     const std::filesystem::path temporary =
-        target.parent_path() /
-        (".kumite-" + std::to_string(::getpid()) + "-" + std::to_string(++number) + ".part");
+        target.parent_path() / (std::string(kTemporary) + std::to_string(::getpid()) + "-" +
+                                std::to_string(++number) + std::string(kPart));
 
     const auto giveUp = [&](const std::string& what) {
         Error error = systemError(what, path);
@@ -105,6 +127,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
         if (!writeAll(file.number, content)) throw giveUp("write");
         if (outlives == Outlives::PowerCut && ::fsync(file.number) != 0) throw giveUp("write");
     }
+    if (outlives == Outlives::PowerCut) removeForgotten(temporary);
     if (::rename(temporary.c_str(), target.c_str()) != 0) throw giveUp("write");
     if (outlives == Outlives::Program) return;
     // The rename itself must survive a power cut, too; where a folder cannot be synced, it is not.

@@ -2,25 +2,23 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace kumite {
 
-/// A file's bytes, mapped read-only for as long as the object lives. Errors name the path and the
-/// system's reason.
-class MappedFile {
+/// A file's bytes, read whole: a mapped file that another program cuts short meanwhile would end
+/// this one. Errors name the path and the system's reason.
+class FileBytes {
 public:
-    explicit MappedFile(const std::filesystem::path& path);
-    ~MappedFile();
-    MappedFile(const MappedFile&) = delete;
-    MappedFile& operator=(const MappedFile&) = delete;
+    explicit FileBytes(const std::filesystem::path& path);
 
-    std::string_view bytes() const { return {data_, size_}; }
+    std::string_view bytes() const { return {data_.get(), size_}; }
 
 private:
-    const char* data_ = nullptr;
+    std::unique_ptr<char[]> data_;
     std::size_t size_ = 0;
 };
 
@@ -30,7 +28,8 @@ enum class Outlives { Program, PowerCut };
 
 /// Writes `content` so that a reader, or a crash at any moment, sees either the old file or the
 /// whole new one: a temporary file beside it, flushed to disk, renamed over it. A link is followed;
-/// what is no regular file (a pipe, /dev/stdout) is written straight. Throws Error; the old file is
+/// what is no regular file (a pipe, /dev/stdout) is written straight. Temporary files that a crash
+/// left there are taken away where a power cut is to be outlived. Throws Error; the old file is
 /// then as it was. Any thread.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content,
                          Outlives outlives = Outlives::PowerCut);

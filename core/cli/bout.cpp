@@ -130,7 +130,7 @@ void runBout(const Options& o, const Streams& streams) {
     const Prepared prepared = prepare(open, o, streams);
     std::vector<BoutCommand> script;
     if (!o.script.empty())
-        script = parseScript(MappedFile(o.script).bytes(), o.script, prepared.library->rate);
+        script = parseScript(FileBytes(o.script).bytes(), o.script, prepared.library->rate);
     const std::filesystem::path folder = o.out;
     std::error_code failed;
     std::filesystem::create_directories(folder, failed);

@@ -160,7 +160,7 @@ Query namedQuery(const MotionLibrary& library, const Options& o) {
     query.choices = parseChoices(library, o);
     query.settings.adjusted = !o.direct;
     query.settings.meetKeys = o.meet.value_or(0);
-    const MappedFile file(o.keys);
+    const FileBytes file(o.keys);
     query.track =
         parseKeys(file.bytes(), o.keys, library.rig,
                   [&](const std::string& clip, int at) { return poseOf(library, clip, at); });

@@ -34,7 +34,7 @@ std::optional<int> chosenTake(const Project& project, const std::string& name) {
 
 void useVocabulary(OpenProject& open, const Options& o, const Streams& streams) {
     if (o.vocabulary.empty()) return;
-    const MappedFile file(o.vocabulary);
+    const FileBytes file(o.vocabulary);
     Findings findings;
     const Vocabulary vocabulary = parseVocabulary(file.bytes(), o.vocabulary, &findings);
     for (const VocabularyLoss& loss : lostBy(open.project, vocabulary)) {

@@ -32,7 +32,7 @@ std::optional<Project> projectWithDraft(const LibraryOptions& options, const std
     for (const std::string& source : options.sources) {
         const std::filesystem::path path(source);
         if (lowerCase(path.extension().string()) != ".kumite") continue;
-        const MappedFile file(source);
+        const FileBytes file(source);
         Project project =
             parseProject(file.bytes(), source, std::filesystem::absolute(path).parent_path());
         if (project.drafts.count(kind) > 0) return project;

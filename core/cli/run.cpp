@@ -1,7 +1,10 @@
 #include "core/cli/run.h"
 
 #include <algorithm>
+#include <memory>
 #include <sstream>
+
+#include <fmt/format.h>
 
 #include "core/cli/command.h"
 #include "core/cli/manual.h"
@@ -12,6 +15,23 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
 
+/// Names options that exclude each other by the alphabet: the library keeps them by address, so
+/// that no two runs, nor the manual page, would say the same.
+class HelpFormatter : public CLI::Formatter {
+public:
+    std::string make_option_opts(const CLI::Option* option) const override {
+        std::string text = CLI::Formatter::make_option_opts(option);
+        const std::size_t at = text.find(" Excludes:");
+        if (at == std::string::npos) return text;
+        std::vector<std::string> names;
+        for (const CLI::Option* other : option->get_excludes())
+            names.push_back(other->get_name());
+        std::sort(names.begin(), names.end());
+        text.resize(at);
+        return text + fmt::format(" Excludes: {}", fmt::join(names, " "));
+    }
+};
+
 }  // namespace
 
 int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostream& err,
@@ -20,6 +40,7 @@ int run(const std::vector<std::string>& arguments, std::ostream& out, std::ostre
         "Annotates two-player martial-arts motion capture: reads recordings, computes the contact\n"
         "force, cuts it into actions, keeps corrections, labels the actions, exports.",
         "kumite");
+    app.formatter(std::make_shared<HelpFormatter>());
     app.require_subcommand(1);
     app.set_version_flag("--version", "kumite " KUMITE_VERSION);
     app.footer(

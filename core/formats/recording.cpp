@@ -27,22 +27,22 @@ struct ForeignFormat {
 };
 
 constexpr std::array kForeignFormats = {
-    ForeignFormat{"an FBX", "Kaydara FBX Binary", ".fbx"},
-    ForeignFormat{"an FBX", "; FBX", ".fbx"},
-    ForeignFormat{"a C3D", "\x02\x50", ".c3d"},
-    ForeignFormat{"a glTF", "glTF", ".glb"},
-    ForeignFormat{"a glTF", "glTF", ".gltf"},
-    ForeignFormat{"a VRM", "glTF", ".vrm"},
-    ForeignFormat{"a TRC", "PathFileType", ".trc"},
-    ForeignFormat{"an HTR", "[Header]", ".htr"},
-    ForeignFormat{"a USD", "PXR-USDC", ".usd"},
-    ForeignFormat{"a USD", "#usda", ".usda"},
-    ForeignFormat{"a USD", "PXR-USDC", ".usdc"},
-    ForeignFormat{"a zipped", "PK\x03\x04", ".usdz"},
-    ForeignFormat{"a NumPy", "PK\x03\x04", ".npz"},
-    ForeignFormat{"a NumPy", "\x93NUMPY", ".npy"},
-    ForeignFormat{"a Blender", "BLENDER", ".blend"},
-    ForeignFormat{"a Collada", "<?xml", ".dae"},
+    ForeignFormat{"FBX", "Kaydara FBX Binary", ".fbx"},
+    ForeignFormat{"FBX", "; FBX", ".fbx"},
+    ForeignFormat{"C3D", "\x02\x50", ".c3d"},
+    ForeignFormat{"glTF", "glTF", ".glb"},
+    ForeignFormat{"glTF", "glTF", ".gltf"},
+    ForeignFormat{"VRM", "glTF", ".vrm"},
+    ForeignFormat{"TRC", "PathFileType", ".trc"},
+    ForeignFormat{"HTR", "[Header]", ".htr"},
+    ForeignFormat{"USD", "PXR-USDC", ".usd"},
+    ForeignFormat{"USD", "#usda", ".usda"},
+    ForeignFormat{"USD", "PXR-USDC", ".usdc"},
+    ForeignFormat{"zipped", "PK\x03\x04", ".usdz"},
+    ForeignFormat{"NumPy", "PK\x03\x04", ".npz"},
+    ForeignFormat{"NumPy", "\x93NUMPY", ".npy"},
+    ForeignFormat{"Blender", "BLENDER", ".blend"},
+    ForeignFormat{"Collada", "<?xml", ".dae"},
 };
 
 /// Which of the foreign formats a file is; a beginning and extension that both fit count most.
@@ -123,7 +123,7 @@ fs::path findAsf(const fs::path& amc) {
 Recording readAsfAndAmc(const fs::path& amc, std::string_view amcText, const ReadOptions& options,
                         const Progress& progress) {
     const fs::path asf = options.asf ? *options.asf : findAsf(amc);
-    const MappedFile asfFile(asf);
+    const FileBytes asfFile(asf);
     const AsfSkeleton skeleton = readAsf(asfFile.bytes(), asf.string());
     Recording recording = readAmc(amcText, amc.string(), skeleton, progress);
     recording.findings.insert(recording.findings.begin(), skeleton.findings.begin(),
@@ -143,7 +143,7 @@ Recording readRecording(const fs::path& path, const ReadOptions& options,
             path.string(), 0, 0,
             error ? "cannot be read: " + error.message() + "." : "there is no such file.");
     }
-    const MappedFile file(path);
+    const FileBytes file(path);
     const std::string_view bytes = file.bytes();
     const std::string extension = lowerCase(path.extension().string());
     const bool isBvh = firstWord(bytes) == "hierarchy";
@@ -158,7 +158,7 @@ Recording readRecording(const fs::path& path, const ReadOptions& options,
     if (!isBvh) {
         if (const ForeignFormat* format = foreignFormat(bytes, extension)) {
             throw InputError(path.string(), 0, 0,
-                             fmt::format("found {} file, expected BVH or ASF/AMC: import it into "
+                             fmt::format("found {} data, expected BVH or ASF/AMC: import it into "
                                          "Blender and export it as Motion Capture (.bvh).",
                                          format->name));
         }

@@ -152,7 +152,9 @@ Reaction reactionOf(const Vocabulary& vocabulary, const Aspect& react, const Fig
     for (int i = 0; i < vocabulary.size(); ++i) {
         const Aspect& aspect = vocabulary[i];
         const int qualifier = attack[static_cast<std::size_t>(i)];
-        if (aspect.strike.empty() || !aspect.limb || qualifier == kUnknown) continue;
+        if (aspect.strike.empty() || !aspect.limb) continue;
+        reaction.open = reaction.open || qualifier == kUnknown;
+        if (qualifier == kUnknown) continue;
         if (!aspect.qualifiers[static_cast<std::size_t>(qualifier)].attack) continue;
         const double closing =
             closingSpeed(player, opponent, *reaction.opponentAction, *aspect.limb);
@@ -173,7 +175,10 @@ Reaction reactionOf(const Vocabulary& vocabulary, const Aspect& react, const Fig
 
 std::string reactionText(const Vocabulary& vocabulary, const Reaction& reaction) {
     if (!reaction.opponentAction) return "no action of the opponent at that time";
-    if (!reaction.aspect) return "the opponent's action is no attack";
+    if (!reaction.aspect) {
+        return reaction.open ? "the opponent's action is not labelled yet"
+                             : "the opponent's action is no attack";
+    }
     const Aspect& aspect = vocabulary[*reaction.aspect];
     const std::string what = lowerCase(aspect.name) + " " +
                              aspect.qualifiers[static_cast<std::size_t>(reaction.attack)].name;

@@ -64,6 +64,7 @@ struct Reaction {
     std::optional<int> aspect;          ///< the attack seen in it
     int attack = kUnknown;              ///< its qualifier
     double closing = 0;                 ///< m/s, greatest speed at which it closes on the body
+    bool open = false;                  ///< whether a strike of that action is not labelled yet
 
     bool operator==(const Reaction&) const = default;
 };

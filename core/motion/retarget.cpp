@@ -180,7 +180,7 @@ Findings lossesOf(const Resting& source, const Resting& target, double scale) {
     const double reach = boneLength(target, {LeftShoulder, LeftElbow, LeftWrist});
     if (arms > 0 && reach > 0 && std::abs(reach / (arms * scale) - 1) > 0.03) {
         losses.push_back(
-            note(fmt::format("Against the legs the target's arms are {} % {}: hands "
+            note(fmt::format("Relative to the legs the target's arms are {} % {}: hands "
                              "do not reach the same places.",
                              fixed(100 * std::abs(reach / (arms * scale) - 1), 0),
                              reach > arms * scale ? "longer" : "shorter")));

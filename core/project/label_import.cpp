@@ -194,7 +194,7 @@ std::vector<TimedLabel> readLabels(const std::filesystem::path& path, const Voca
     if (suffix != ".csv" && suffix != ".json" && suffix != ".eaf") {
         throw Error(path.string() + ": labels are read from .csv, .json and .eaf files.");
     }
-    const MappedFile file(path);
+    const FileBytes file(path);
     if (suffix == ".csv") return parseLabelsCsv(file.bytes(), path.string(), vocabulary);
     if (suffix == ".eaf") return parseLabelsEaf(file.bytes(), path.string(), vocabulary, findings);
     return parseLabelsJson(file.bytes(), path.string(), vocabulary);

@@ -39,9 +39,9 @@ std::vector<std::filesystem::path> filesBelow(const std::filesystem::path& folde
 /// SHA-256 as the recording has it: of the skeleton's bytes, if there is one, and the motion's.
 std::string hashOf(const std::filesystem::path& asf, const std::filesystem::path& path) {
     try {
-        const MappedFile motion(path);
+        const FileBytes motion(path);
         if (asf.empty()) return sha256(motion.bytes());
-        return sha256(std::string(MappedFile(asf).bytes()).append(motion.bytes()));
+        return sha256(std::string(FileBytes(asf).bytes()).append(motion.bytes()));
     } catch (const Error&) {
         return {};  // unreadable: not the one
     }
@@ -147,7 +147,7 @@ LoadedProject loadProject(const std::filesystem::path& path, const Progress& pro
     const auto folder = std::filesystem::weakly_canonical(path).parent_path();
     Project project;
     {
-        const MappedFile file(path);
+        const FileBytes file(path);
         project = parseProject(file.bytes(), path.string(), folder);
     }
     return loadRecordings(std::move(project), folder, {}, progress);

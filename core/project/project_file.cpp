@@ -336,7 +336,7 @@ Project parseProject(std::string_view text, const std::string& name,
 }
 
 BodyModel readBodyModel(const std::filesystem::path& path) {
-    const MappedFile file(path);
+    const FileBytes file(path);
     return parseBodyModel(file.bytes(), path.string());
 }
 

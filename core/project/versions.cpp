@@ -77,7 +77,7 @@ fs::path folderOf(const fs::path& project) {
 }
 
 Project parseVersion(const fs::path& project, const fs::path& file) {
-    const MappedFile text(file);
+    const FileBytes text(file);
     return parseProject(text.bytes(), file.string(), folderOf(project));
 }
 
@@ -90,17 +90,23 @@ fs::path versionsFolder(const fs::path& project) {
 void keepVersion(const fs::path& project, std::string_view next) {
     std::error_code unknown;
     if (!fs::is_regular_file(project, unknown)) return;
-    const MappedFile now(project);
+    const FileBytes now(project);
     if (now.bytes() == next || now.bytes().empty()) return;
     const fs::path folder = versionsFolder(project);
     std::vector<fs::path> files = filesIn(folder);
-    if (!files.empty() && MappedFile(files.back()).bytes() == now.bytes()) return;
+    if (!files.empty() && FileBytes(files.back()).bytes() == now.bytes()) return;
     std::error_code refused;
     fs::create_directories(folder, refused);
     if (refused) {
         throw Error(folder.string() + ": cannot make this folder: " + refused.message() + ".");
     }
-    files.push_back(folder / nameOf(modified(project)));
+    Clock::time_point saved = modified(project);
+    // Where the clock was set back it must not become the oldest, which goes first.
+    if (!files.empty()) {
+        saved = std::max(saved,
+                         *timeOf(files.back().filename().string()) + std::chrono::microseconds(1));
+    }
+    files.push_back(folder / nameOf(saved));
     writeFileAtomically(files.back(), now.bytes());
     std::sort(files.begin(), files.end());
     for (std::size_t i = 0; i + kKeptVersions < files.size(); ++i)

@@ -56,6 +56,11 @@ constexpr CoreText kEdits[] = {
 };
 
 constexpr CoreText kSentences[] = {
+    {QT_TRANSLATE_NOOP("Core", "There is no root %1; the recording has %2."), false},
+    {QT_TRANSLATE_NOOP("Core", "The body stands on its head most of the time: is up right?"),
+     false},
+    {QT_TRANSLATE_NOOP("Core", "The legs would be %1 m long: is the unit (%2) right?"), false},
+
     {QT_TRANSLATE_NOOP("Core", "A model of two fighters needs a take with two of them."), false},
     {QT_TRANSLATE_NOOP("Core",
                        "No action is labelled yet: label some by hand and let the machine do the "
@@ -116,13 +121,14 @@ constexpr CoreText kSentences[] = {
     {QT_TRANSLATE_NOOP("Core",
                        "The source has no %1: they keep their rest relative to their parent."),
      false},
+    {QT_TRANSLATE_NOOP("Core",
+                       "Relative to the legs the target's arms are %1 % longer: hands do not reach "
+                       "the same places."),
+     false},
     {QT_TRANSLATE_NOOP(
          "Core",
-         "Against the legs the target's arms are %1 % longer: hands do not reach the same places."),
-     false},
-    {QT_TRANSLATE_NOOP("Core",
-                       "Against the legs the target's arms are %1 % shorter: hands do not reach "
-                       "the same places."),
+         "Relative to the legs the target's arms are %1 % shorter: hands do not reach "
+         "the same places."),
      false},
     {QT_TRANSLATE_NOOP("Core", "No joint was found for: %1."), false},
     {QT_TRANSLATE_NOOP("Core", "Joint %1 does not stand behind its parent."), false},
@@ -160,6 +166,7 @@ constexpr CoreText kSentences[] = {
     {QT_TRANSLATE_NOOP("Core", "the project has no take \"%1\"."), false},
     {QT_TRANSLATE_NOOP("Core", "the take has no such fighter."), false},
     {QT_TRANSLATE_NOOP("Core", "no action there."), false},
+    {QT_TRANSLATE_NOOP("Core", "line %1"), false},
     {QT_TRANSLATE_NOOP("Core", "its action takes the label of %1."), false},
     {QT_TRANSLATE_NOOP("Core", "no joint has the role pelvis, so its actions cannot be compared."),
      false},
@@ -194,7 +201,8 @@ constexpr CoreText kSentences[] = {
     {QT_TRANSLATE_NOOP("Core", "What was saved before could not be kept. %1"), false},
     {QT_TRANSLATE_NOOP("Core", "holds %1 frames only; the take ends there for this fighter."),
      false},
-    {QT_TRANSLATE_NOOP("Core", "frames %1 cannot be taken from a recording of %2 frames."), false},
+    {QT_TRANSLATE_NOOP("Core", "frames %1:%2 cannot be taken from a recording of %3 frames."),
+     false},
     {QT_TRANSLATE_NOOP(
          "Core", "holds %1 frames now, the take begins at frame %2; the recording is left out."),
      false},
@@ -316,7 +324,7 @@ constexpr CoreText kSentences[] = {
                        "belongs to it."),
      false},
     {QT_TRANSLATE_NOOP("Core",
-                       "found %1 file, expected BVH or ASF/AMC: import it into Blender and export "
+                       "found %1 data, expected BVH or ASF/AMC: import it into Blender and export "
                        "it as Motion Capture (.bvh)."),
      false},
     {QT_TRANSLATE_NOOP("Core", "The recording holds no skeleton."), false},
@@ -518,11 +526,10 @@ constexpr CoreText kSentences[] = {
          "Core",
          "channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation"),
      false},
-    {QT_TRANSLATE_NOOP("Core", "Frame Time:"), false},
-    {QT_TRANSLATE_NOOP("Core", "Frames:"), false},
     {QT_TRANSLATE_NOOP("Core", "a finite number with a decimal point"), false},
     {QT_TRANSLATE_NOOP("Core", "no action of the opponent at that time"), false},
     {QT_TRANSLATE_NOOP("Core", "the opponent's action is no attack"), false},
+    {QT_TRANSLATE_NOOP("Core", "the opponent's action is not labelled yet"), false},
     {QT_TRANSLATE_NOOP("Core", "stands left"), false},
     {QT_TRANSLATE_NOOP("Core", "stands right"), false},
     {QT_TRANSLATE_NOOP("Core", "in the air"), false},
@@ -580,14 +587,12 @@ constexpr const char* kShort[] = {
     QT_TRANSLATE_NOOP("ShortLabel", "fwd"),    QT_TRANSLATE_NOOP("ShortLabel", "bwd"),
     QT_TRANSLATE_NOOP("ShortLabel", "bwdfwd"), QT_TRANSLATE_NOOP("ShortLabel", "fwdbwd"),
     QT_TRANSLATE_NOOP("ShortLabel", "up"),     QT_TRANSLATE_NOOP("ShortLabel", "down"),
-    QT_TRANSLATE_NOOP("ShortLabel", "downup"),
-     QT_TRANSLATE_NOOP("ShortLabel", "kick"),
-    QT_TRANSLATE_NOOP("ShortLabel", "punch"), 
-    QT_TRANSLATE_NOOP("ShortLabel", "L-L"),    QT_TRANSLATE_NOOP("ShortLabel", "L-R"),
-    QT_TRANSLATE_NOOP("ShortLabel", "L-F"),    QT_TRANSLATE_NOOP("ShortLabel", "R-L"),
-    QT_TRANSLATE_NOOP("ShortLabel", "R-R"),    QT_TRANSLATE_NOOP("ShortLabel", "R-F"),
-    QT_TRANSLATE_NOOP("ShortLabel", "F-L"),    QT_TRANSLATE_NOOP("ShortLabel", "F-R"),
-    QT_TRANSLATE_NOOP("ShortLabel", "F-F"),
+    QT_TRANSLATE_NOOP("ShortLabel", "downup"), QT_TRANSLATE_NOOP("ShortLabel", "kick"),
+    QT_TRANSLATE_NOOP("ShortLabel", "punch"),  QT_TRANSLATE_NOOP("ShortLabel", "L-L"),
+    QT_TRANSLATE_NOOP("ShortLabel", "L-R"),    QT_TRANSLATE_NOOP("ShortLabel", "L-F"),
+    QT_TRANSLATE_NOOP("ShortLabel", "R-L"),    QT_TRANSLATE_NOOP("ShortLabel", "R-R"),
+    QT_TRANSLATE_NOOP("ShortLabel", "R-F"),    QT_TRANSLATE_NOOP("ShortLabel", "F-L"),
+    QT_TRANSLATE_NOOP("ShortLabel", "F-R"),    QT_TRANSLATE_NOOP("ShortLabel", "F-F"),
 };
 
 }  // namespace

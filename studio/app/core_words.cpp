@@ -95,6 +95,7 @@ QString labelWords(const QString& text) {
 }
 
 QString translated(const QString& text);
+QString partWords(const QString& part);
 
 std::optional<QString> matched(const Patterns& patterns, const QString& text) {
     for (const Pattern& pattern : patterns) {
@@ -106,9 +107,7 @@ std::optional<QString> matched(const Patterns& patterns, const QString& text) {
         for (qsizetype i = pattern.places.size(); i > 0; --i) {
             const QString part = match.captured(static_cast<int>(i));
             words.replace(QStringLiteral("%%1").arg(pattern.places[i - 1]),
-                          pattern.text.holdsTexts
-                              ? translated(part)
-                              : matched(sentencePatterns(), part).value_or(part));
+                          pattern.text.holdsTexts ? translated(part) : partWords(part));
         }
         return words;
     }
@@ -124,6 +123,26 @@ std::optional<QString> matchedBehindPlace(const QString& text) {
             return text.left(begin) + *words;
     }
     return std::nullopt;
+}
+
+/// "left_wrist, right_wrist": ids of roles. A single word may as well be a joint's own name.
+std::optional<QString> rolesOf(const QString& text) {
+    if (!text.contains(QLatin1Char('_')) && !text.contains(QLatin1String(", ")))
+        return std::nullopt;
+    QStringList words;
+    for (const QString& id : text.split(QStringLiteral(", "))) {
+        const auto role = roleFromName(id.toStdString());
+        if (!role) return std::nullopt;
+        words.append(roleWords(*role));
+    }
+    return words.join(QStringLiteral(", "));
+}
+
+/// What is put into a sentence: another sentence, roles, or names that stay.
+QString partWords(const QString& part) {
+    if (const auto words = matched(sentencePatterns(), part)) return *words;
+    if (const auto words = matchedBehindPlace(part)) return *words;
+    return rolesOf(part).value_or(part);
 }
 
 QString translated(const QString& text) {

@@ -17,7 +17,7 @@ namespace kumite::studio {
 void FindingsLog::add(const QString& about, const Findings& findings) {
     // What was found about something before is out of date.
     const auto gone =
-        std::erase_if(groups_, [&](const Group& group) { return group.about == about; });
+        std::erase_if(groups_, [&](const FoundInFiles& group) { return group.about == about; });
     if (findings.empty() && gone == 0) return;
     if (!findings.empty()) groups_.push_back({about, findings});
     Q_EMIT changed();
@@ -31,7 +31,7 @@ void FindingsLog::clear() {
 
 int FindingsLog::count() const {
     std::size_t all = 0;
-    for (const Group& group : groups_)
+    for (const FoundInFiles& group : groups_)
         all += group.findings.size();
     return static_cast<int>(all);
 }
@@ -68,7 +68,7 @@ void FindingsPage::fill() {
     }
     const Colours& c = coloursFor(palette());
     const QColor amber = c.dark ? c.accent : QColor("#b87700");
-    for (const FindingsLog::Group& group : findings_.groups()) {
+    for (const FoundInFiles& group : findings_.groups()) {
         auto* heading = headingLabel(group.about, content_);
         heading->setContentsMargins(0, 4, 0, 0);
         rows_->addWidget(heading);

@@ -12,28 +12,28 @@ class QVBoxLayout;
 
 namespace kumite::studio {
 
+struct FoundInFiles {
+    QString about;
+    Findings findings;
+};
+
 /// What was found in the files of the open project: warnings and what is merely worth knowing.
 class FindingsLog : public QObject {
     Q_OBJECT
 
 public:
-    struct Group {
-        QString about;
-        Findings findings;
-    };
-
     using QObject::QObject;
 
     void add(const QString& about, const Findings& findings);
     void clear();
-    const std::vector<Group>& groups() const { return groups_; }
+    const std::vector<FoundInFiles>& groups() const { return groups_; }
     int count() const;
 
 Q_SIGNALS:
     void changed();
 
 private:
-    std::vector<Group> groups_;
+    std::vector<FoundInFiles> groups_;
 };
 
 /// Lists them all; stays open beside the window and follows.

@@ -141,22 +141,15 @@ void reportWatch(const LoopWatch& watch) {
 }
 
 /// Asks what to do with what an unexpected end left behind, if anything is there.
-void offerRecovery(MainWindow& window, Recovery& recovery) {
+void offerRecovery(MainWindow& window) {
     auto copies = Recovery::leftBehind();
     if (copies.empty()) return;
     if (!isAttended()) {
-        tell(
-            QStringLiteral("Unsaved edits of %1 can be recovered: start the studio without --watch "
-                           "and --script.")
-                .arg(copies.front().name));
+        tell(QStringLiteral("Unsaved edits of %1 can be recovered: start the studio without "
+                            "--watch and --script, or with the script's line \"recover\".")
+                 .arg(copies.front().name));
         return;
     }
-    // The old copy goes only once this run has one of its own, which the opening makes.
-    QObject::connect(&window.files(), &FileActions::recovered, &recovery,
-                     [&recovery](const RecoveryCopy& copy) {
-                         recovery.countOn(copy.edits);
-                         Recovery::discard(copy);
-                     });
     auto* dialog = new RecoveryDialog(std::move(copies), &window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &RecoveryDialog::recoveryWanted, &window.files(),
@@ -210,7 +203,7 @@ int main(int argc, char** argv) {
         waitWhileBusy(window);
         window.session().transport().setPlayhead(*wishes.time);
     }
-    offerRecovery(window, *keeper.recovery());
+    offerRecovery(window);
     if (!runScript(window, wishes.script, watch.get())) return 1;
     if (!keeper.window().isVisible()) return 0;  // a command has quit already
     setAttended(true);                           // whoever watches works on by hand

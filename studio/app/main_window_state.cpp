@@ -14,11 +14,11 @@ WindowState MainWindow::handOver() {
     files_->finishEdits();
     const Document& document = session_.document();
     if (!document.isOpen()) return {};
-    return {WindowState::Opened{document.history(), document.analysis(), document.path(),
-                                document.isUnsaved(), document.onDisk(), files_->lock(),
-                                session_.take(), session_.activePlayer(),
-                                session_.transport().playhead(), session_.visible(),
-                                session_.selection(), session_.selectedAction()}};
+    return {WindowState::Opened{
+        document.history(), document.analysis(), document.path(), document.isUnsaved(),
+        document.onDisk(), files_->lock(), session_.take(), session_.activePlayer(),
+        session_.transport().playhead(), session_.visible(), session_.selection(),
+        session_.selectedAction(), findings_.groups()}};
 }
 
 void MainWindow::takeOver(WindowState state) {
@@ -27,6 +27,8 @@ void MainWindow::takeOver(WindowState state) {
     files_->setLock(was.lock);
     session_.document().open(std::move(was.history), std::move(was.analysis), was.path, was.unsaved,
                              was.onDisk);
+    for (const FoundInFiles& found : was.findings)
+        findings_.add(found.about, found.findings);
     session_.setTake(was.take);
     session_.setActivePlayer(was.activePlayer);
     session_.transport().setPlayhead(was.playhead);

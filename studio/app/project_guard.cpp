@@ -39,7 +39,7 @@ void ProjectLock::takeOver() {
 
 std::string fingerprint(const QString& file) {
     if (!QFileInfo::exists(file)) return {};
-    return sha256(MappedFile(toPath(file)).bytes());
+    return sha256(FileBytes(toPath(file)).bytes());
 }
 
 }  // namespace kumite::studio

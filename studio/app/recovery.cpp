@@ -44,6 +44,7 @@ std::optional<RecoveryCopy> readCopy(const QString& path) {
     copy.name = about.value(QStringLiteral("name")).toString();
     copy.onDisk = about.value(QStringLiteral("onDisk")).toString().toStdString();
     copy.edits = about.value(QStringLiteral("edits")).toInt();
+    copy.number = about.value(QStringLiteral("number")).toInt();
     copy.time =
         QDateTime::fromString(about.value(QStringLiteral("time")).toString(), Qt::ISODateWithMs);
     copy.project = file.readAll();
@@ -88,6 +89,7 @@ QByteArray Recovery::copyText() const {
         {"name", document.name()},
         {"onDisk", QString::fromStdString(document.onDisk())},
         {"edits", before_ + static_cast<int>(document.history().editsSinceSaved())},
+        {"number", number_},
         {"time", QDateTime::currentDateTime().toString(Qt::ISODateWithMs)}};
     return QJsonDocument(about).toJson(QJsonDocument::Compact) + '\n' +
            QByteArray::fromStdString(projectText(document.project(), toPath(folder())));
@@ -101,6 +103,7 @@ void Recovery::projectChanged() {
     }
     // New derived values are announced as a change, too.
     if (hasCopy_ && document.project() == copied_) return;
+    ++number_;
     try {
         const QByteArray text = copyText();
         writeFileAtomically(toPath(base_ + kEdit),
@@ -159,7 +162,7 @@ std::vector<RecoveryCopy> Recovery::leftBehind() {
         if (!lock.tryLock()) continue;
         const auto edit = readCopy(base + kEdit);
         const auto synced = readCopy(base + kSynced);
-        if (edit && (!synced || synced->time <= edit->time)) {
+        if (edit && (!synced || synced->number <= edit->number)) {
             copies.push_back(*edit);
         } else if (synced) {
             copies.push_back(*synced);

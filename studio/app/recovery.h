@@ -22,8 +22,9 @@ struct RecoveryCopy {
     QString original;  ///< the project that it is of; empty: it was never saved
     QString name;
     std::string onDisk;  ///< fingerprint of the project's file when it was last read or saved
-    QDateTime time;      ///< of the last edit in it
+    QDateTime time;      ///< of the last edit in it, by the machine's clock, which may be set
     int edits = 0;       ///< since the project was saved
+    int number = 0;      ///< counts the copies of one run: a greater one is newer
     QByteArray project;  ///< text of the project file
 };
 
@@ -71,6 +72,7 @@ private:
     Project copied_;        ///< what `.edit` holds
     bool hasCopy_ = false;  ///< whether it holds anything
     int sinceAutosave_ = 0;
+    int number_ = 0;  ///< of the copy that was written last
     int before_ = 0;
     bool reported_ = false;
 };

@@ -10,6 +10,7 @@
 #include "studio/app/main_window.h"
 #include "studio/app/picture.h"
 #include "studio/app/questions.h"
+#include "studio/app/recovery.h"
 #include "studio/workspaces/label/label_exchange.h"
 
 namespace kumite::studio {
@@ -33,6 +34,11 @@ bool runLine(MainWindow& window, const QStringList& words) {
         window.findChild<LabelExchange*>()->compareWith(words.value(1));
     } else if (verb == QLatin1String("save")) {
         return window.files().saveTo(words.value(1));
+    } else if (verb == QLatin1String("recover")) {
+        const auto copies = Recovery::leftBehind();
+        if (copies.empty()) return false;
+        window.files().openRecovered(copies.front());
+        waitWhileBusy(window);
     } else if (window.commands().find(verb) != nullptr) {
         window.commands().run(verb);
     } else {

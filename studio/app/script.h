@@ -19,6 +19,7 @@ class MainWindow;
 ///   import FILE…    opens the import dialog on recordings
 ///   compare FILE    holds another person's labels against the project's
 ///   save FILE       saves under a name
+///   recover         opens what the last crash left behind
 /// After each the line is written to standard output, so that whoever drives the studio knows how
 /// far it is, and noted with the watch. False, with a sentence on standard error, at the first line
 /// that cannot be run.

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QTimer>
 
+#include "studio/app/file_actions.h"
 #include "studio/app/language.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/recovery.h"
@@ -30,6 +31,12 @@ void WindowKeeper::listen() {
 std::unique_ptr<Recovery> WindowKeeper::makeRecovery(MainWindow& window) {
     auto recovery = std::make_unique<Recovery>(window.session());
     connect(recovery.get(), &Recovery::failed, &window.messages(), &MessageStrip::showError);
+    // The old copy goes only once this run has one of its own, which the opening makes.
+    connect(&window.files(), &FileActions::recovered, recovery.get(),
+            [kept = recovery.get()](const RecoveryCopy& copy) {
+                kept->countOn(copy.edits);
+                Recovery::discard(copy);
+            });
     const auto setInterval = [kept = recovery.get(), &window] {
         kept->setInterval(window.preferences().values().autosaveSeconds);
     };

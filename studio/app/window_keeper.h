@@ -23,8 +23,6 @@ public:
     MainWindow& window() { return *window_; }
     /// From now on copies of unsaved work are kept.
     void keepCopies();
-    /// Null until `keepCopies`.
-    Recovery* recovery() { return recovery_.get(); }
 
 Q_SIGNALS:
     void replaced();

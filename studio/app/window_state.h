@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/project/analysis.h"
 #include "core/project/history.h"
+#include "studio/app/findings_page.h"
 #include "studio/app/session.h"
 
 namespace kumite::studio {
@@ -29,6 +31,7 @@ struct WindowState {
         TimeSpan visible;
         std::optional<BoundaryRef> selection;
         std::optional<ActionRef> selectedAction;
+        std::vector<FoundInFiles> findings;
     };
     std::optional<Opened> opened;  ///< nothing: no project is open
 };

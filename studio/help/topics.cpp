@@ -62,8 +62,7 @@ QStringList sectionOf(const QString& place) {
         const bool heading = line.startsWith(QLatin1Char('#'));
         if (heading && !section.isEmpty()) break;
         const QString text = line.mid(line.indexOf(QLatin1Char(' ')) + 1);
-        if (!section.isEmpty() || (heading && before-- == 0))
-            section.append(heading ? text : line);
+        if (!section.isEmpty() || (heading && before-- == 0)) section.append(heading ? text : line);
     }
     return section;
 }

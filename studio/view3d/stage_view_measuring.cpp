@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "studio/app/session.h"
 #include "studio/app/core_words.h"
+#include "studio/app/session.h"
 #include "studio/app/words.h"
 #include "studio/view3d/stage_scene.h"
 

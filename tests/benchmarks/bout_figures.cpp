@@ -2,7 +2,9 @@
 //   kumite-bout-figures quality [PROJECT [SEEDS [SECONDS]]] the quality table, all modes; without a
 //                                                           project: of a made bout and a recorded
 //                                                           dance with the labels of the rules
-//   kumite-bout-figures speed PROJECT [SECONDS]             time per frame and per choice
+//   kumite-bout-figures speed [PROJECT [SECONDS]]           time per frame and per choice; without
+//   a
+//                                                           project: of the made bout
 //   kumite-bout-figures growth                              a choice over the number of actions
 //   kumite-bout-figures soak PROJECT [SECONDS]              a long bout: bounds, drift, memory
 #include <chrono>
@@ -20,6 +22,7 @@
 #include "core/project/project_file.h"
 #include "core/synthesis/bout_quality.h"
 #include "core/synthesis/draw.h"
+#include "tests/benchmarks/bench_table.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/labelled_bout.h"
 
@@ -108,6 +111,18 @@ void printRow(const std::string& name, const Quality& q) {
               << fmt::format(" {} |\n", q.variety ? fixed(q.variety->share(), 2) : "-");
 }
 
+/// A mode's bouts beside the recording that they were made of.
+void addQualityRow(const std::string& what, const std::string& size, const Quality& bouts,
+                   const Quality& recording) {
+    const auto text = [](const Quality& q) {
+        return fmt::format("feet skate {} %, bodies in each other {} %, joins {}",
+                           cell(q.footSkate, 100, 1),
+                           q.interpenetration ? fixed(100 * q.interpenetration->share, 1) : "-",
+                           cell(q.joinAccelerationRatio, 1, 2));
+    };
+    bench::addRow({what, size, text(bouts), "recording: " + text(recording)});
+}
+
 /// What a player does from time to time, so that an avatar has something to do.
 std::vector<BoutCommand> someKeys(const BoutLibrary& library, double seconds, std::uint64_t seed) {
     const std::vector<std::string> words = {"kick", "punch", "left_punch", "right_kick", "jump"};
@@ -190,7 +205,8 @@ CapturedAttack replayed(const Opened& opened) {
     return attack;
 }
 
-void quality(const Opened& opened, int seeds, double seconds) {
+/// `of`: what the bouts are made of, for the table.
+void quality(const Opened& opened, const std::string& of, int seeds, double seconds) {
     const CapturedAttack attack = replayed(opened);
     const auto passive =
         boutLibrary(opened.project, opened.analysis,
@@ -227,23 +243,30 @@ void quality(const Opened& opened, int seeds, double seconds) {
                 kept.foundAgain[0], kept.foundAgain[1]);
         }
         printRow(fmt::format("**{}, {} seeds**", modeName(mode), seeds), together(all));
+        addQualityRow(fmt::format("synthesised bouts of {}, {}", of, modeName(mode)),
+                      fmt::format("{} bouts of {:.0f} s", seeds, seconds), together(all),
+                      recording.quality);
     }
 }
 
-void qualityOfBoth(int seeds, double seconds) {
+Project madeBout() {
     const test::TemporaryFolder folder;
+    return test::LabelledBout(folder.path(), 300, 3).project;
+}
+
+void qualityOfBoth(int seeds, double seconds) {
     std::cout << "A made bout of 5 minutes, seed 3:\n";
-    quality(Opened(test::LabelledBout(folder.path(), 300, 3).project), seeds, seconds);
+    quality(Opened(madeBout()), "a made bout", seeds, seconds);
     if (auto dance = recordedDance()) {
         std::cout << "\nA recorded couple dance, labels of the rules:\n";
-        quality(Opened(std::move(*dance)), seeds, seconds);
+        quality(Opened(std::move(*dance)), "a recorded dance", seeds, seconds);
     }
 }
 
 // ---- speed -------------------------------------------------------------------------------------
 
 void speed(const std::string& path, double seconds) {
-    const Opened opened(path);
+    const Opened opened(path.empty() ? madeBout() : loadProject(path).project);
     BoutSettings settings;
     Bout bout(opened.library, settings);
     const int frames = static_cast<int>(seconds * opened.library->rate);
@@ -265,6 +288,11 @@ void speed(const std::string& path, double seconds) {
         "p99 {:.1f} us\n",
         frames, sum / frames, percentile(plain, 0.5), percentile(plain, 0.99),
         percentile(choosing, 0.5), percentile(choosing, 0.99));
+    bench::addRow(
+        {"a frame of a synthesised bout", fmt::format("{} frames, {:.0f} s", frames, seconds),
+         fmt::format("{}, in the median {}, with a choice {}", bench::timeText(1e-6 * sum / frames),
+                     bench::timeText(1e-6 * percentile(plain, 0.5)),
+                     bench::timeText(1e-6 * percentile(choosing, 0.5)))});
     const double start = now();
     Bout copy = bout;
     std::cout << fmt::format("a snapshot: {:.1f} us\n", 1e6 * (now() - start));
@@ -370,7 +398,7 @@ int main(int argc, char** argv) {
             if (path.empty()) {
                 qualityOfBoth(seeds, number(4, 60));
             } else {
-                quality(Opened(path), seeds, number(4, 60));
+                quality(Opened(path), path, seeds, number(4, 60));
             }
         }
         if (what == "speed") speed(path, number(3, 60));

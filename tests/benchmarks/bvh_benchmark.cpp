@@ -8,19 +8,22 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <assimp/scene.h>
+#include <assimp/version.h>
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 #include <assimp/Importer.hpp>
 
 #include "core/formats/bvh.h"
+#include "tests/benchmarks/run_keeper.h"
 
 namespace {
+
+namespace bench = kumite::bench;
 
 struct Sample {
     std::string name;
@@ -119,41 +122,30 @@ void readBareNumbers(benchmark::State& state, const Sample& sample) {
     countBytes(state, sample);
 }
 
-/// The usual table, and the bytes per second of each run kept for the ratios.
-class RatioReporter : public benchmark::ConsoleReporter {
-public:
-    void ReportRuns(const std::vector<Run>& runs) override {
-        ConsoleReporter::ReportRuns(runs);
-        for (const Run& run : runs) {
-            const auto speed = run.counters.find("bytes_per_second");
-            if (run.run_type != Run::RT_Iteration || speed == run.counters.end()) continue;
-            double& best = speeds_[run.run_name.function_name];
-            best = std::max(best, speed->second.value);
-        }
+void printRatios(const bench::RunKeeper& runs) {
+    constexpr double kMegabyte = 1e6;
+    fmt::print("\n{:<14}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "file", "Kumite", "Assimp", "bare",
+               "x Assimp", "x bare");
+    for (const Sample& sample : samples()) {
+        const auto speedOf = [&](const char* reader) {
+            return runs.counter(fmt::format("{}/{}", reader, sample.name), "bytes_per_second") /
+                   kMegabyte;
+        };
+        const double kumite = speedOf("BM_Kumite");
+        const double assimp = speedOf("BM_Assimp");
+        const double bare = speedOf("BM_BareFromChars");
+        fmt::print("{:<14}{:>7.0f} MB/s{:>7.0f} MB/s{:>7.0f} MB/s{:>12.1f}{:>12.2f}\n", sample.name,
+                   kumite, assimp, bare, kumite / assimp, kumite / bare);
+        if (std::isnan(kumite + assimp + bare)) continue;
+        bench::addRow(
+            {"reading BVH, " + sample.name,
+             fmt::format("{:.1f} MB", static_cast<double>(sample.text.size()) / kMegabyte),
+             fmt::format("{:.0f} MB/s", kumite),
+             fmt::format("Assimp {}.{}: {:.0f} MB/s; bare `std::from_chars`: {:.0f} MB/s",
+                         aiGetVersionMajor(), aiGetVersionMinor(), assimp, bare),
+             fmt::format("{}; {:.2f}×", bench::timesText(kumite / assimp), kumite / bare)});
     }
-
-    void printRatios() const {
-        constexpr double kMegabyte = 1e6;
-        fmt::print("\n{:<14}{:>12}{:>12}{:>12}{:>12}{:>12}\n", "file", "Kumite", "Assimp", "bare",
-                   "x Assimp", "x bare");
-        for (const Sample& sample : samples()) {
-            const double kumite = speedOf("BM_Kumite", sample);
-            const double assimp = speedOf("BM_Assimp", sample);
-            const double bare = speedOf("BM_BareFromChars", sample);
-            fmt::print("{:<14}{:>7.0f} MB/s{:>7.0f} MB/s{:>7.0f} MB/s{:>12.1f}{:>12.2f}\n",
-                       sample.name, kumite / kMegabyte, assimp / kMegabyte, bare / kMegabyte,
-                       kumite / assimp, kumite / bare);
-        }
-    }
-
-private:
-    double speedOf(const std::string& benchmark, const Sample& sample) const {
-        const auto found = speeds_.find(benchmark + "/" + sample.name);
-        return found == speeds_.end() ? std::nan("") : found->second;
-    }
-
-    std::map<std::string, double> speeds_;
-};
+}
 
 }  // namespace
 
@@ -170,7 +162,7 @@ int main(int argc, char** argv) {
         add("BM_Assimp", readWithAssimp);
         add("BM_BareFromChars", readBareNumbers);
     }
-    RatioReporter reporter;
-    benchmark::RunSpecifiedBenchmarks(&reporter);
-    reporter.printRatios();
+    bench::RunKeeper runs;
+    benchmark::RunSpecifiedBenchmarks(&runs);
+    printRatios(runs);
 }

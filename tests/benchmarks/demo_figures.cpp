@@ -1,7 +1,9 @@
 // Measures made bouts against their plan: kumite-demo-figures [SECONDS [SEEDS]]; or, by the same
 // figures, any project: kumite-demo-figures PROJECT.kumite …
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -12,6 +14,7 @@
 #include "core/base/text.h"
 #include "core/project/demo_bout.h"
 #include "core/project/project_file.h"
+#include "tests/benchmarks/bench_table.h"
 #include "tests/support/bout_figures.h"
 
 namespace {
@@ -60,7 +63,25 @@ void measureProject(const std::filesystem::path& path) {
     }
 }
 
-void measure(double seconds, std::uint64_t seed, const std::filesystem::path& folder) {
+/// Least and largest of some numbers.
+struct Range {
+    double least = INFINITY, most = -INFINITY;
+    void add(double value) {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    std::string text(int decimals) const { return bench::rangeText(least, most, decimals); }
+};
+
+/// Of all made bouts, by fighter.
+struct MadeFigures {
+    Range f1, spuriousShare, actionsPerSecond, overlapShare;
+    int spurious = 0, spuriousInTop = 0;
+    double making = 0;  ///< seconds, the slowest
+};
+
+void measure(double seconds, std::uint64_t seed, const std::filesystem::path& folder,
+             MadeFigures& all) {
     const auto start = Clock::now();
     const DemoFiles files = writeDemoBout({seconds, 60, seed}, folder);
     const double making = std::chrono::duration<double>(Clock::now() - start).count();
@@ -69,7 +90,7 @@ void measure(double seconds, std::uint64_t seed, const std::filesystem::path& fo
     std::ifstream file(files.truth());
     const auto truth = nlohmann::json::parse(file);
     std::cout << fmt::format("seed {}: {} s made and written in {:.2f} s\n", seed, seconds, making);
-    test::CutFigures sum;
+    all.making = std::max(all.making, making);
     for (std::size_t p = 0; p < 2; ++p) {
         const FighterAnalysis& fighter = analysis.takes[0][p];
         const test::CutFigures cut = test::compareCut(fighter, truth["players"][p], 60);
@@ -79,9 +100,15 @@ void measure(double seconds, std::uint64_t seed, const std::filesystem::path& fo
             "top 5 %: {}\n",
             p + 1, cut.f1(), cut.planned, cut.found, cut.matched, cut.spurious,
             100.0 * cut.spurious / cut.found, cut.spuriousInTop);
+        all.f1.add(cut.f1());
+        all.spuriousShare.add(100.0 * cut.spurious / cut.found);
+        all.spurious += cut.spurious;
+        all.spuriousInTop += cut.spuriousInTop;
+        all.actionsPerSecond.add(test::measureMotion(fighter).actionsPerSecond);
         printMotion(fighter);
     }
     printPair(project.takes[0], analysis.takes[0]);
+    all.overlapShare.add(100 * test::measurePair(project.takes[0], analysis.takes[0]).overlapShare);
     const test::LabelFigures labels = test::measureLabels(truth);
     std::cout << fmt::format(
         "   baseline {:.3f}; information {:.3f} bits (by chance {:.3f}), of range {:.3f} bits\n",
@@ -101,6 +128,19 @@ void measure(double seconds, std::uint64_t seed, const std::filesystem::path& fo
     print(labels.reacts, labels.actions);
 }
 
+void addRows(const MadeFigures& all, const std::string& size) {
+    bench::addRow({"made bouts: boundaries found against planned, F1", size, all.f1.text(3)});
+    bench::addRow({"made bouts: spurious among the minima that cut", size,
+                   fmt::format("{} %, {} of {} among the top 5 % of suspects",
+                               all.spuriousShare.text(1), all.spuriousInTop, all.spurious),
+                   "paper's stream: 2 %"});
+    bench::addRow({"made bouts: actions a second", size, all.actionsPerSecond.text(2),
+                   "paper's stream: 1.5"});
+    bench::addRow({"made bouts: frames with limbs more than 3 cm in each other", size,
+                   all.overlapShare.text(1) + " %", "recordings: 0.6–3.1 %"});
+    bench::addRow({"making and writing a bout, at most", size, bench::timeText(all.making)});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -112,9 +152,11 @@ int main(int argc, char** argv) {
     const double seconds = argc > 1 ? parseNumber(argv[1]).value_or(300) : 300;
     const int seeds = argc > 2 ? static_cast<int>(parseNumber(argv[2]).value_or(5)) : 5;
     const auto folder = std::filesystem::temp_directory_path() / "kumite-demo-figures";
+    MadeFigures all;
     for (int seed = 1; seed <= seeds; ++seed) {
-        measure(seconds, static_cast<std::uint64_t>(seed), folder);
+        measure(seconds, static_cast<std::uint64_t>(seed), folder, all);
     }
+    addRows(all, fmt::format("{} bouts of {:.0f} minutes", seeds, seconds / 60));
     std::filesystem::remove_all(folder);
     return 0;
 }

@@ -12,8 +12,10 @@
 
 #include <cstdio>
 #include <functional>
+#include <string>
 #include <vector>
 
+#include "core/base/text.h"
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/loop_watch.h"
@@ -23,6 +25,7 @@
 #include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "tests/benchmarks/bench_table.h"
 #include "tests/benchmarks/studio_benchmark.h"
 
 namespace {
@@ -51,6 +54,12 @@ std::vector<int> detectedFrames(Session& session) {
     return frames;
 }
 
+/// What the window shows, for the table.
+std::string sizeOf(const Session& session) {
+    const auto span = session.transport().span();
+    return fixed((span.end - span.begin) / 60, 0) + " minutes of bout, 1280×800";
+}
+
 /// Removes boundaries of fighter 1 all over the take, one by one, and times each.
 void measureEdits(const char* name, MainWindow& window) {
     constexpr std::size_t kEdits = 40;
@@ -76,6 +85,9 @@ void measureEdits(const char* name, MainWindow& window) {
     std::printf("%-24s %zu edits   median %6.2f ms   worst %6.2f ms\n", name, done,
                 quantile(milliseconds, 0.5), quantile(milliseconds, 1));
     std::fflush(stdout);
+    bench::addRow({std::string("a key press to all views, ") + name, sizeOf(session),
+                   bench::timeText(1e-3 * quantile(milliseconds, 0.5)) + ", at worst " +
+                       bench::timeText(1e-3 * quantile(milliseconds, 1))});
 }
 
 /// Plays in each workspace, the Graph's views one by one: pictures of the 3D view a second.
@@ -91,6 +103,7 @@ void measurePlaying(MainWindow& window) {
     if (canvas == nullptr) return;
     Painted painted(*canvas);
     LoopWatch watch;
+    std::vector<double> rates;
     for (const View& view :
          {View{"segment", nullptr}, View{"label", nullptr}, View{"graph", nullptr},
           View{"graph", "graph.view"}, View{"graph", "graph.space"}}) {
@@ -109,11 +122,15 @@ void measurePlaying(MainWindow& window) {
         letWork(4000);
         const double seconds = 1e-3 * double(clock.elapsed());
         window.commands().run(QStringLiteral("transport.play"));
+        rates.push_back(painted.times / seconds);
         std::printf("%-8s %-12s %5.1f pictures a second   longest gap %5.1f ms\n", view.workspace,
-                    view.command != nullptr ? view.command : "", painted.times / seconds,
+                    view.command != nullptr ? view.command : "", rates.back(),
                     watch.longest().milliseconds);
         std::fflush(stdout);
     }
+    bench::addRow({"pictures a second while playing: Segment, Label, Graph in three views",
+                   sizeOf(window.session()),
+                   bench::rangeText(quantile(rates, 0), quantile(rates, 1), 0)});
 }
 
 /// The acts of a session, each watched until nothing is computed any more.
@@ -134,13 +151,36 @@ public:
                     gap.milliseconds, gap.work, qPrintable(gap.event), watch_.gaps().size(),
                     LoopWatch::kBlink);
         std::fflush(stdout);
+        acts_.push_back({name, gap.milliseconds});
     }
     void run(const char* command) {
         act(command, [&] { window_.commands().run(QLatin1String(command)); });
     }
     void play(const QString& project);
+    /// The longest gap of all acts, and that of those which make no view anew.
+    void addRows() const {
+        Act longest, usual;
+        for (const Act& act : acts_) {
+            if (act.milliseconds > longest.milliseconds) longest = act;
+            const bool makesAnew = act.name == "open" || act.name.starts_with("view.theme");
+            if (!makesAnew && act.milliseconds > usual.milliseconds) usual = act;
+        }
+        const std::string size =
+            sizeOf(window_.session()) + ", " + std::to_string(acts_.size()) + " acts";
+        const auto text = [](const Act& act) {
+            return bench::timeText(1e-3 * act.milliseconds) + " (" + act.name + ")";
+        };
+        bench::addRow({"longest gap of a scripted session", size, text(longest)});
+        bench::addRow({"longest gap of that session but for opening and changes of theme", size,
+                       text(usual)});
+    }
 
 private:
+    struct Act {
+        std::string name;
+        double milliseconds = 0;  ///< its longest gap
+    };
+
     TimelineView& timeline() { return window_.timeline(); }
     void key(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
         QTest::keyClick(&timeline(), key, modifiers);
@@ -166,6 +206,7 @@ private:
     MainWindow& window_;
     Recovery recovery_;
     LoopWatch watch_;
+    std::vector<Act> acts_;
 };
 
 void WatchedSession::play(const QString& project) {
@@ -271,6 +312,11 @@ int main(int argc, char** argv) {
         measureEdits("20 s in view", window);
     }
     if (wanted("playing")) measurePlaying(window);
-    if (wanted("session")) WatchedSession(window).play(arguments.front());
+    if (wanted("session")) {
+        WatchedSession session(window);
+        session.play(arguments.front());
+        if (window.session().playerCount() == 0) return 1;
+        session.addRows();
+    }
     return 0;
 }

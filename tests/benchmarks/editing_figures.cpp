@@ -29,6 +29,7 @@
 #include "core/project/library.h"
 #include "core/quality/body_quality.h"
 #include "core/quality/joint_motion.h"
+#include "tests/benchmarks/bench_table.h"
 #include "tests/support/fixtures.h"
 #include "tests/support/made_strikes.h"
 
@@ -119,6 +120,12 @@ struct Spread {
         most = std::max(most, value);
         ++count;
     }
+    void add(const Spread& other) {
+        sum += other.sum;
+        most = std::max(most, other.most);
+        count += other.count;
+    }
+    double mean() const { return sum / count; }
     std::string text(double scale) const {
         return count ? fmt::format("{:6.1f} /{:6.1f}", scale * sum / count, scale * most)
                      : std::string("       -       ");
@@ -145,6 +152,21 @@ double trajectoryDistance(const Clip& a, const Clip& b) {
     return sum / count;
 }
 
+/// Errors of one kind of strikes together.
+struct HitErrors {
+    int sets = 0;
+    Spread fewer, partial;  ///< without the example asked for: whole blends, by parts
+    void addRow(const char* kind) const {
+        if (sets == 0) return;
+        const auto text = [](const Spread& s) {
+            return fmt::format("{:.1f} cm, at most {:.1f} cm", 100 * s.mean(), 100 * s.most);
+        };
+        bench::addRow({std::string("error of a hit by parts, its example left out: ") + kind,
+                       fmt::format("{} examples in {} sets", partial.count, sets), text(partial),
+                       "blends of whole examples: " + text(fewer)});
+    }
+};
+
 void hits() {
     std::cout << "Leave one example out and ask for its hit point: error in cm, mean / largest;\n"
                  "joints: mean distance of all joints from the example's own motion, cm.\n\n";
@@ -152,9 +174,12 @@ void hits() {
                              "full, all", "full, one fewer", "partial, fewer", "outside",
                              "joints f", "joints p");
     std::vector<StrikeSet> sets = madeSets();
+    const std::size_t madeCount = sets.size();
     for (StrikeSet& set : realSets())
         sets.push_back(std::move(set));
-    for (const StrikeSet& set : sets) {
+    HitErrors made, recorded;
+    for (std::size_t s = 0; s < sets.size(); ++s) {
+        const StrikeSet& set = sets[s];
         const StrikeSpace all = strikeSpace(set.strikes, set.striker);
         Spread full, fewer, partial, fullJoints, partialJoints;
         int outside = 0;
@@ -176,7 +201,13 @@ void hits() {
                                  100 * fullJoints.sum / fullJoints.count,
                                  100 * partialJoints.sum / partialJoints.count)
                   << std::flush;
+        HitErrors& together = s < madeCount ? made : recorded;
+        ++together.sets;
+        together.fewer.add(fewer);
+        together.partial.add(partial);
     }
+    made.addRow("made strikes");
+    recorded.addRow("recorded strikes");
 }
 
 /// Angles of a joint over a clip: turn about y and about x against its parent, degrees.
@@ -251,10 +282,16 @@ void coverage() {
                                  1000 * c.extendedVolume(),
                                  c.extendedVolume() / std::max(c.naturalVolume(), 1e-9), seconds)
                   << std::flush;
+        bench::addRow({set.name + ", region hit within 3 cm",
+                       fmt::format("{} examples", set.strikes.size()),
+                       fmt::format("{:.0f} l", 1000 * c.extendedVolume()),
+                       fmt::format("blends of whole examples: {:.0f} l", 1000 * c.naturalVolume()),
+                       bench::timesText(c.extendedVolume() / c.naturalVolume())});
     }
 }
 
 void live() {
+    Spread eachSolve, eachWhole;
     std::cout << fmt::format("{:<30} {:>9} {:>12} {:>12} {:>14}\n", "set", "samples", "space ms",
                              "solve ms", "whole clip ms");
     for (const StrikeSet& set : madeSets()) {
@@ -279,8 +316,14 @@ void live() {
         std::cout << fmt::format("{:<30} {:>9} {:>12.1f} {:>12.2f} {:>14.2f}\n", set.name,
                                  space.samples.size(), 1000 * building, 1000 * solving / kTargets,
                                  1000 * whole / kTargets);
+        eachSolve.add(solving / kTargets);
+        eachWhole.add(whole / kTargets);
         if (!(sum >= 0)) std::cout << "unexpected\n";  // keeps the work from being left out
     }
+    bench::addRow({"a strike to a dragged target, processor",
+                   fmt::format("{} made techniques, the slowest", eachSolve.count),
+                   fmt::format("{}, with the whole clip {}", bench::timeText(eachSolve.most),
+                               bench::timeText(eachWhole.most))});
 }
 
 /// Joint places of a body that moves somehow, without a rig: what features are made of.
@@ -350,6 +393,10 @@ void retrieval() {
                                  1000 * wall / kQueries)
                   << std::flush;
         if (found == 0) std::cout << "unexpected\n";
+        if (clips > 1)
+            bench::addRow({"key poses looked up, processor",
+                           fmt::format("{} frames in {} clips", frames, clips),
+                           bench::timeText(whole / kQueries)});
     }
 }
 
@@ -454,6 +501,13 @@ void assemblies() {
     line("recording", own);
     line("direct", direct);
     line("adjusted", adjusted);
+    const auto text = [](const Judgement& j) {
+        return fmt::format("{:.0f}°, skate {:.2f}", j.mean.mean(), j.skate.mean());
+    };
+    bench::addRow({"junctions of motions of five keys, off the keys' means",
+                   fmt::format("{} sets of keys", cases), text(adjusted),
+                   fmt::format("as retrieved: {}; recordings: skate {:.2f}", text(direct),
+                               own.skate.mean())});
 }
 
 // ---- film strips ---------------------------------------------------------------------------

@@ -1,9 +1,12 @@
 // What a labelling round costs on a made bout of 16 minutes: features, one round of learning.
 // kumite-label-benchmark --matrix FOLDER writes the rows and labels of a round instead, for
-// svc_benchmark.py, which times scikit-learn's SVC on them.
+// svc_benchmark.py, which times scikit-learn's SVC on them; --peer FOLDER measures and has what
+// that found beside it. Times are the processor's, of all threads.
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <map>
+#include <string>
+#include <string_view>
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -13,6 +16,7 @@
 #include "core/project/labelling.h"
 #include "core/project/project_file.h"
 #include "core/project/simulation.h"
+#include "tests/benchmarks/run_keeper.h"
 
 namespace kumite {
 namespace {
@@ -53,7 +57,7 @@ void features_of_all_actions(benchmark::State& state) {
         benchmark::DoNotOptimize(actionTable(bout().corrected.project, bout().corrected.analysis));
     state.counters["actions"] = static_cast<double>(bout().table.rows.size());
 }
-BENCHMARK(features_of_all_actions)->Unit(benchmark::kMillisecond);
+BENCHMARK(features_of_all_actions)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 /// Learns every aspect, mirror images included, and predicts every action of the bout.
 void one_round(benchmark::State& state) {
@@ -65,7 +69,12 @@ void one_round(benchmark::State& state) {
     }
     state.counters["actions"] = static_cast<double>(bout().table.rows.size());
 }
-BENCHMARK(one_round)->Arg(150)->Arg(1000)->Unit(benchmark::kMillisecond)->Iterations(3);
+BENCHMARK(one_round)
+    ->Arg(150)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(3)
+    ->MeasureProcessCPUTime();
 
 void write(const std::filesystem::path& file, const FeatureMatrix& rows) {
     std::ofstream(file, std::ios::binary)
@@ -104,6 +113,33 @@ void writeMatrix(const std::filesystem::path& folder) {
     std::ofstream(folder / "parameters.txt") << usual.c << ' ' << usual.gamma << '\n';
 }
 
+/// `peer`: the folder in which svc_benchmark.py left what it measured; may hold nothing or be none.
+void addRows(const bench::RunKeeper& runs, const std::filesystem::path& peer) {
+    const auto actions = runs.counter("features_of_all_actions", "actions");
+    runs.addTime("features_of_all_actions",
+                 {"features of actions, processor", fmt::format("{:.0f} actions", actions)});
+    std::ifstream in;
+    if (!peer.empty()) in.open(peer / "svc.txt");
+    std::string version;
+    in >> version;
+    std::map<int, double> theirs;
+    int examples = 0;
+    for (double seconds = 0; in >> examples >> seconds;)
+        theirs[examples] = seconds;
+    for (const int count : {150, 1000}) {
+        const std::string name = fmt::format("one_round/{}", count);
+        bench::BenchRow row{"a round of learning labels, processor",
+                            fmt::format("{} examples and their mirror images, {:.0f} actions",
+                                        count, runs.counter(name, "actions"))};
+        if (theirs.count(count) > 0) {
+            row.peer =
+                fmt::format("scikit-learn {} SVC: {}", version, bench::timeText(theirs[count]));
+            row.ratio = bench::timesText(theirs[count] / runs.seconds(name));
+        }
+        runs.addTime(name, row);
+    }
+}
+
 }  // namespace
 }  // namespace kumite
 
@@ -112,7 +148,11 @@ int main(int argc, char** argv) {
         kumite::writeMatrix(argv[2]);
         return 0;
     }
+    const bool withPeer = argc >= 3 && std::string_view(argv[1]) == "--peer";
+    const std::string peer = withPeer ? argv[2] : "";
     benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    kumite::bench::RunKeeper runs;
+    benchmark::RunSpecifiedBenchmarks(&runs);
+    kumite::addRows(runs, peer);
     return 0;
 }

@@ -16,6 +16,7 @@
 #include "core/project/demo_bout.h"
 #include "core/project/project_file.h"
 #include "core/project/simulation.h"
+#include "tests/benchmarks/bench_table.h"
 
 namespace {
 
@@ -41,6 +42,7 @@ constexpr Way kWays[] = {
     {"random, longer", false, true, false, 0.25, 25},
 };
 constexpr std::size_t kActive = 0;
+constexpr std::size_t kRandom = 3;
 constexpr std::size_t kRandomLonger = std::size(kWays) - 1;
 
 /// Mean and standard deviation, in percent.
@@ -135,31 +137,65 @@ void printAspects(const Sessions& all) {
     std::cout << "\n";
 }
 
+/// Labels until an accuracy is reached, means over the bouts that reach it in both orders.
+struct Saved {
+    double active = 0, random = 0;
+    std::vector<double> shares;  ///< of the labels, by bout
+    int activeAlone = 0;         ///< bouts that reach it in active order only
+};
+
+Saved savedBy(const Sessions& all, double accuracy) {
+    Saved saved;
+    for (std::size_t i = 0; i < all[kActive].size(); ++i) {
+        const auto active = labelsFor(all[kActive][i], accuracy);
+        const auto random = labelsFor(all[kRandomLonger][i], accuracy);
+        saved.activeAlone += active && !random;
+        if (!active || !random) continue;
+        saved.active += *active;
+        saved.random += *random;
+        saved.shares.push_back(1 - *active / *random);
+    }
+    const auto both = static_cast<double>(std::max<std::size_t>(1, saved.shares.size()));
+    saved.active /= both;
+    saved.random /= both;
+    return saved;
+}
+
 /// What active order saves: at what it reaches with a part of the labels.
 void printSaved(const Sessions& all) {
-    const auto& active = all[kActive];
-    const auto& random = all[kRandomLonger];
     std::cout << "\n| whole label, % | labels, active | labels, random | saved, % |\n"
                  "| --- | --- | --- | --- |\n";
     for (const double accuracy : {0.85, 0.90, 0.92, 0.94, 0.95, 0.96}) {
-        double ours = 0, theirs = 0;
-        int both = 0, oursAlone = 0;
-        std::vector<double> saved;
-        for (std::size_t i = 0; i < active.size(); ++i) {
-            const auto a = labelsFor(active[i], accuracy);
-            const auto r = labelsFor(random[i], accuracy);
-            oursAlone += a && !r;
-            if (!a || !r) continue;
-            ++both;
-            ours += *a;
-            theirs += *r;
-            saved.push_back(1 - *a / *r);
-        }
-        if (both == 0) continue;
+        const Saved saved = savedBy(all, accuracy);
+        if (saved.shares.empty()) continue;
         std::cout << fmt::format(
-            "| {:.0f} | {:.0f} | {:.0f} | {} ({} of {} bouts{}) |\n", 100 * accuracy, ours / both,
-            theirs / both, spread(saved), both, active.size(),
-            oursAlone > 0 ? fmt::format(", {} more reached by active alone", oursAlone) : "");
+            "| {:.0f} | {:.0f} | {:.0f} | {} ({} of {} bouts{}) |\n", 100 * accuracy, saved.active,
+            saved.random, spread(saved.shares), saved.shares.size(), all[kActive].size(),
+            saved.activeAlone > 0
+                ? fmt::format(", {} more reached by active alone", saved.activeAlone)
+                : "");
+    }
+}
+
+void addRows(const Sessions& all, const std::string& size) {
+    const std::string others =
+        column(all[kActive], [](const Simulation& s) { return s.scores.baselineAccuracy; });
+    for (const auto& [w, order] :
+         {std::pair(kActive, "asked for by the machine"), std::pair(kRandom, "random order")}) {
+        bench::addRow(
+            {std::string("labels that are right with 10 % said by hand, ") + order, size,
+             fmt::format("{} % whole, {} % limb",
+                         column(all[w], [](const Simulation& s) { return s.scores.labelAccuracy; }),
+                         column(all[w], [](const Simulation& s) { return s.scores.limbAccuracy; })),
+             fmt::format("everything others: {} % whole", others)});
+    }
+    for (const double accuracy : {0.90, 0.95}) {
+        const Saved saved = savedBy(all, accuracy);
+        if (saved.shares.empty()) continue;
+        bench::addRow({fmt::format("labels said by hand until {:.0f} % are right", 100 * accuracy),
+                       size, fixed(saved.active, 0),
+                       fmt::format("random order: {:.0f}", saved.random),
+                       bench::timesText(saved.random / saved.active)});
     }
 }
 
@@ -231,6 +267,7 @@ int main(int argc, char** argv) {
     printAspects(all);
     printSaved(all);
     printCurves(all);
+    addRows(all, fmt::format("{} made bouts of {:.0f} minutes", seeds, seconds / 60));
     std::cout << fmt::format(
         "\n{:.0f} s\n",
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());

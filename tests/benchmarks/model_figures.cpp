@@ -23,6 +23,7 @@
 #include "core/project/interaction.h"
 #include "core/project/label_files.h"
 #include "core/project/project_file.h"
+#include "tests/benchmarks/bench_table.h"
 
 namespace {
 
@@ -117,6 +118,11 @@ void growth() {
                                  1000 * query / kQueries, 1000 * surprise, peakMegabytes());
         if (!(sum > 0)) std::cout << "unexpected\n";  // keeps the work from being left out
     }
+    const auto& usual = rows[rows.size() - 2];
+    const std::string size = fmt::format("{:.0f} actions, {} labels", usual[0], kLabels);
+    bench::addRow({"learning the transition model, EQU7 and tied Gaussians", size,
+                   bench::timeText(usual[2]), "labels alone: " + bench::timeText(usual[1])});
+    bench::addRow({"what may follow a moment", size, bench::timeText(usual[3])});
     std::cout << "exponents from 10 000 to 100 000 actions:";
     const auto& a = rows[rows.size() - 2];
     const auto& b = rows.back();
@@ -142,7 +148,7 @@ struct LabelledDemo {
         const auto matched =
             matchLabels(project, analysis, readLabels(files.truth(), vocabulary), 0);
         project = importLabels(project, analysis, matched.fighters)->project;
-        truth = nlohmann::json::parse(MappedFile(files.truth()).bytes());
+        truth = nlohmann::json::parse(FileBytes(files.truth()).bytes());
         std::filesystem::remove_all(folder);
     }
 };
@@ -162,12 +168,20 @@ void edits(double minutes) {
         const double model = timed([&] { next = deriveInteraction(project, analysis, {}, first); });
         std::cout << fmt::format("{}: segmentation {:.0f} ms, graph and model {:.0f} ms\n", what,
                                  1000 * cut, 1000 * model);
+        return model;
     };
     again("nothing changed", demo.project);
-    again("one label",
-          setLabel(demo.project, demo.analysis, {0, 0}, std::vector{100}, 0, 1)->project);
+    const double label =
+        again("one label",
+              setLabel(demo.project, demo.analysis, {0, 0}, std::vector{100}, 0, 1)->project);
     const int frame = demo.analysis.at({0, 0}).segmentation->boundaries[100].frame;
-    again("one boundary", removeBoundary(demo.project, demo.analysis, {0, 0}, frame)->project);
+    const double boundary =
+        again("one boundary", removeBoundary(demo.project, demo.analysis, {0, 0}, frame)->project);
+    for (const auto& [what, seconds] : {std::pair("label", label), std::pair("boundary", boundary)})
+        bench::addRow({fmt::format("graph and model after one {} was edited", what),
+                       fmt::format("made bout of {:.0f} minutes", minutes),
+                       bench::timeText(seconds), "all anew: " + bench::timeText(whole),
+                       bench::timesText(whole / seconds)});
 }
 
 // ---- law ---------------------------------------------------------------------------------------
@@ -282,7 +296,7 @@ void law(double minutes, int seeds) {
         const auto folder = std::filesystem::temp_directory_path() / "kumite-model-figures";
         const DemoFiles files =
             writeDemoBout({60 * steps.back(), 60, static_cast<std::uint64_t>(seed)}, folder);
-        const auto truth = nlohmann::json::parse(MappedFile(files.truth()).bytes());
+        const auto truth = nlohmann::json::parse(FileBytes(files.truth()).bytes());
         std::filesystem::remove_all(folder);
         const Law known(truth);
         for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -301,6 +315,13 @@ void law(double minutes, int seeds) {
         std::cout << fmt::format("| {} | {:.0f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", steps[i],
                                  transitions[i], means[i][0], means[i][1], means[i][2],
                                  means[i][3]);
+    }
+    const auto& last = means.back();
+    for (const std::size_t e : {0, 1, 2}) {
+        bench::addRow({fmt::format("transitions learnt, divergence from their law, EQU{}", 5 + e),
+                       fmt::format("{} made bouts of {:.0f} minutes", seeds, steps.back()),
+                       fixed(last[e], 3), fmt::format("even guess: {:.3f}", last[3]),
+                       bench::timesText(last[3] / last[e])});
     }
 }
 

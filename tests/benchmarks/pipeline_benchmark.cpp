@@ -3,10 +3,12 @@
 #include <cstdio>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include "core/motion/survey.h"
 #include "core/project/edits.h"
+#include "tests/benchmarks/run_keeper.h"
 #include "tests/support/builders.h"
 
 namespace kumite {
@@ -94,7 +96,26 @@ void one_hour_at_120_hz(benchmark::State& state) {
 }
 BENCHMARK(one_hour_at_120_hz)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
+void addRows(const bench::RunKeeper& runs) {
+    const std::string bout = "16 minutes at 60 Hz, two fighters of 43 joints";
+    runs.addTime("roles_kinematics_force_minima_of_16_minutes",
+                 {"roles, kinematics, force, minima, suspicion", bout});
+    // An iteration removes a boundary and restores it.
+    runs.addTime("one_boundary_edit_to_all_derived_values",
+                 {"one boundary edit to all derived values", bout}, 2);
+    const double peak = runs.counter("one_hour_at_120_hz", "peak_GB");
+    runs.addTime("one_hour_at_120_hz",
+                 {"kinematics, force, minima, suspicion", "one hour at 120 Hz, two fighters",
+                  fmt::format(", {:.1f} GB of memory at most", peak)});
+}
+
 }  // namespace
 }  // namespace kumite
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    kumite::bench::RunKeeper runs;
+    benchmark::RunSpecifiedBenchmarks(&runs);
+    kumite::addRows(runs);
+    return 0;
+}

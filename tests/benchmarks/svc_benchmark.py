@@ -1,12 +1,14 @@
 """Times scikit-learn's SVC on what `kumite-label-benchmark --matrix FOLDER` wrote: the same rows,
 labels, C, gamma and class weights; standardising, learning every aspect and predicting every action
-are all timed, as in our own round. Debian: python3-sklearn."""
+are all timed, as in our own round. The seconds of processor go into FOLDER/svc.txt, too, for
+`kumite-label-benchmark --peer FOLDER`. Debian: python3-sklearn."""
 
 import sys
 import time
 from pathlib import Path
 
 import numpy
+import sklearn
 from sklearn.svm import SVC
 
 folder = Path(sys.argv[1])
@@ -18,6 +20,7 @@ def rows(name):
 
 
 actions = rows("actions.f32")
+measured = [sklearn.__version__]
 for count in (150, 1000):
     examples = rows(f"examples-{count}.f32")
     labels = numpy.loadtxt(folder / f"labels-{count}.txt", dtype=int)
@@ -29,7 +32,10 @@ for count in (150, 1000):
         if len(set(labels[:, aspect])) > 1:
             machine = SVC(C=c, gamma=gamma, class_weight="balanced")
             machine.fit(train, labels[:, aspect]).predict(everything)
+    wall, used = time.perf_counter() - wall, time.process_time() - used
+    measured.append(f"{count} {used:.3f}")
     print(
         f"{count} examples and their mirror images, {len(actions)} actions: "
-        f"{time.perf_counter() - wall:.2f} s, {time.process_time() - used:.2f} s of processor"
+        f"{wall:.2f} s, {used:.2f} s of processor"
     )
+(folder / "svc.txt").write_text("\n".join(measured) + "\n")

@@ -2,6 +2,7 @@
 // while scrolling, and the playhead alone, as while playing.
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <QApplication>
 #include <QImage>
@@ -9,10 +10,12 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <vector>
 
 #include "studio/app/session.h"
 #include "studio/timeline/lanes.h"
 #include "studio/timeline/timeline_view.h"
+#include "tests/benchmarks/run_keeper.h"
 #include "tests/support/builders.h"
 
 namespace kumite::studio {
@@ -160,11 +163,31 @@ void movePlayhead(benchmark::State& state) {
     }
 }
 
+const std::vector<std::int64_t> kVisible = {1, 4, 15, 60, 240, 900, 3600};  // seconds
+
 BENCHMARK(paintAnew)
-    ->ArgsProduct({{1, 4, 15, 60, 240, 900, 3600}, {0, 1, 2}, {1280, 1920}})
+    ->ArgsProduct({kVisible, {0, 1, 2}, {1280, 1920}})
     ->ArgNames({"seconds", "all", "width"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(movePlayhead)->Unit(benchmark::kMillisecond);
+
+void addRows(const bench::RunKeeper& runs) {
+    const std::string size = "one hour at 120 Hz, two fighters, 1920 px wide";
+    constexpr const char* kShown[] = {"", ", with force as it is and all speeds",
+                                      ", with labels, too"};
+    for (const int all : {0, 1, 2}) {
+        double worst = 0;
+        for (const auto seconds : kVisible) {
+            const double time =
+                runs.seconds(fmt::format("paintAnew/seconds:{}/all:{}/width:1920", seconds, all));
+            if (time > worst) worst = time;
+        }
+        if (worst > 0)
+            bench::addRow({std::string("timeline painted anew, at the slowest zoom") + kShown[all],
+                           size, bench::timeText(worst)});
+    }
+    runs.addTime("movePlayhead", {"timeline, the playhead alone", size});
+}
 
 }  // namespace
 }  // namespace kumite::studio
@@ -173,6 +196,8 @@ int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
     benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    kumite::bench::RunKeeper runs;
+    benchmark::RunSpecifiedBenchmarks(&runs);
+    kumite::studio::addRows(runs);
     return 0;
 }

@@ -132,6 +132,7 @@ std::vector<Corpus> corpora() {
     addBout(made, 120, 1);
     list.push_back({"made", cutUp(made, kClips, kFrames)});
     if (const auto real = recordings()) list.push_back({"real", cutUp(*real, kClips, kFrames)});
+    list.back().inTable = true;
     return list;
 }
 

@@ -30,8 +30,9 @@ std::optional<MotionLibrary> recordings();
 struct Corpus {
     std::string name;
     std::shared_ptr<const MotionLibrary> library;
+    bool inTable = false;  ///< of one its figures stand in the table of the benchmarks
 };
-/// Stretches of a made bout; of recordings, where there are some.
+/// Stretches of a made bout; of recordings, where there are some. The last one is in the table.
 std::vector<Corpus> corpora();
 
 /// Lloyd's k-means in the space of poses: means are sign-aligned and normalised; the centre is at

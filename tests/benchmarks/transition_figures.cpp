@@ -25,6 +25,7 @@
 #include "core/quality/quality.h"
 #include "core/transition/playback.h"
 #include "core/transition/sequence.h"
+#include "tests/benchmarks/bench_table.h"
 #include "tests/benchmarks/transition_corpus.h"
 
 namespace {
@@ -68,6 +69,19 @@ int clustersByScan(const PointSource& source, double threshold) {
         }
     }
     return centres.count();
+}
+
+/// A row of the table beside the paper's time of the same, if the corpus stands in it.
+void addTimeRow(const Corpus& corpus, const std::string& what, const std::string& size,
+                double seconds, double paper) {
+    if (!corpus.inTable) return;
+    addRow(
+        {what, size, timeText(seconds), "paper: " + timeText(paper), timesText(paper / seconds)});
+}
+
+std::string sizeOf(const Corpus& corpus) {
+    return fmt::format("{} corpus, {} clips, {} frames", corpus.name,
+                       corpus.library->motions.size(), kFrames);
 }
 
 double pathSeconds(const FlexibleGraph& graph, PathSummary& summary) {
@@ -131,6 +145,11 @@ void measureCorpus(const Corpus& corpus) {
             choosing, clustering, scan, graphing, paths, limited.paths, 100 * limited.share(),
             allPaths, all.paths, 100 * all.share(),
             1e-6 * static_cast<double>(4 * all.visitedNodes + 12 * all.paths));
+        if (!undirected) continue;  // the paper's graph is
+        const std::string size = fmt::format("{}, {} clusters, {} edges", sizeOf(corpus),
+                                             graph->clusters.count(), graph->graph.edges.size());
+        addTimeRow(corpus, "clustering poses", size, clustering, 0.76);
+        addTimeRow(corpus, "up to five cheapest paths of all pairs", size, allPaths, 463);
     }
 }
 
@@ -200,6 +219,11 @@ void addTransition(QualityFigures& figures, std::shared_ptr<const FlexibleGraph>
         joined(std::move(figures.atJoins.acceleration), measured.atJoins.acceleration);
 }
 
+/// Joints' acceleration at joins over that inside the clips, 99th percentiles.
+double roughness(const QualityFigures& f, const JointMotionBar& bar) {
+    return percentile(f.atJoins.acceleration, 0.99) / bar.acceleration;
+}
+
 void print(const std::string& name, const QualityFigures& f, const JointMotionBar& bar) {
     if (f.count == 0) {
         std::cout << fmt::format("    {:<28} none ({} have no path)\n", name, f.failed);
@@ -210,10 +234,25 @@ void print(const std::string& name, const QualityFigures& f, const JointMotionBa
         "joins, "
         "p99 over the recording's: speed {:.2f}, acceleration {:.2f}{}; {:.1f} µs a frame\n",
         name, f.count, f.frames / f.count, f.skate / f.count, f.penetration / f.count,
-        percentile(f.atJoins.velocity, 0.99) / bar.velocity,
-        percentile(f.atJoins.acceleration, 0.99) / bar.acceleration,
+        percentile(f.atJoins.velocity, 0.99) / bar.velocity, roughness(f, bar),
         f.joins ? fmt::format("; distance {:.2f}", f.joinDistance / f.joins) : std::string(),
         1e6 * f.seconds / f.synthesised);
+}
+
+/// Along a path, and on a curve where there is none, beside the clips.
+void addQualityRows(const Corpus& corpus, const std::map<std::string, QualityFigures>& figures,
+                    const JointMotionBar& bar, double skate) {
+    for (const auto& [group, what] :
+         {std::pair("path: graph", "transitions along a path"),
+          std::pair("no path: bezier", "transitions on a curve, where there is no path")}) {
+        const auto found = figures.find(group);
+        if (!corpus.inTable || found == figures.end() || found->second.count == 0) continue;
+        const QualityFigures& f = found->second;
+        addRow(
+            {what, fmt::format("{} pairs, {} corpus", f.count, corpus.name),
+             fmt::format("feet skate {:.2f}, joins {:.2f}", f.skate / f.count, roughness(f, bar)),
+             fmt::format("the clips: feet skate {:.2f}", skate)});
+    }
 }
 
 void measureQualityOf(const Corpus& corpus, bool withKMeans) {
@@ -225,8 +264,9 @@ void measureQualityOf(const Corpus& corpus, bool withKMeans) {
     double skate = 0;
     for (const LibraryMotion& motion : library.motions)
         skate += footSkateOf(measuredBody(motion.clip, 0)).value_or(0);
+    skate /= static_cast<double>(library.motions.size());
     std::cout << fmt::format("{} corpus: 500 random pairs; the recording itself: skate {:.3f}\n",
-                             corpus.name, skate / static_cast<double>(library.motions.size()));
+                             corpus.name, skate);
     const auto graph = buildFlexibleGraph(corpus.library);
     FlexibleGraphSettings both;
     both.undirected = true;
@@ -247,6 +287,8 @@ void measureQualityOf(const Corpus& corpus, bool withKMeans) {
             "pairs have a path\n",
             graph->clusters.count(), seconds, other.graph.runs.size(), other.graph.edges.size(),
             100 * summary.share());
+        addTimeRow(corpus, fmt::format("k-means, k = {}", graph->clusters.count()), sizeOf(corpus),
+                   seconds, 8212);
         byMeans = std::make_shared<const FlexibleGraph>(std::move(other));
     }
     std::mt19937 random(7);
@@ -274,17 +316,29 @@ void measureQualityOf(const Corpus& corpus, bool withKMeans) {
     }
     for (const auto& [name, f] : figures)
         print(name, f, bar);
+    addQualityRows(corpus, figures, bar, skate);
 }
+
+/// What the paper's Table 1 says of a case.
+struct PaperCase {
+    int frames = 0;
+    double seconds = 0;
+};
 
 /// The cases of the paper's Table 1.
 void measureTable1(const Corpus& corpus) {
     const auto graph = buildFlexibleGraph(corpus.library);
     const MotionLibrary& library = *corpus.library;
     const auto action = [&](std::size_t i) { return library.part(library.actions[i]); };
-    const auto line = [&](const char* name, const char* paper, int frames, double seconds) {
+    const auto line = [&](const std::string& name, int frames, double seconds,
+                          const std::optional<PaperCase>& paper = {}) {
         std::cout << fmt::format(
             "    {:<24} {:4} frames in {:.5f} s, {:5.2f} µs a frame (paper: {})\n", name, frames,
-            seconds, 1e6 * seconds / frames, paper);
+            seconds, 1e6 * seconds / frames,
+            paper ? fmt::format("{} in {:.3f}", paper->frames, paper->seconds) : "-");
+        if (paper)
+            addTimeRow(corpus, name + ", a frame", fmt::format("{} frames", frames),
+                       seconds / frames, paper->seconds / paper->frames);
     };
     std::cout << corpus.name << " corpus, Table 1\n";
     Sequence six;
@@ -295,10 +349,10 @@ void measureTable1(const Corpus& corpus) {
     }
     int frames = 0;
     double seconds = timed([&] { frames = makeSequence(graph, six).clip.frameCount(); });
-    line("consecutive attacks", "150 in 0.157", frames, seconds);
+    line("consecutive attacks", frames, seconds, PaperCase{150, 0.157});
     six.cleanFeet = false;
     seconds = timed([&] { frames = makeSequence(graph, six).clip.frameCount(); });
-    line("… raw feet", "-", frames, seconds);
+    line("… raw feet", frames, seconds);
     for (const LibraryAction& strike : library.actions) {
         // The first action in which a strike is found that reaches this far.
         const Eigen::Vector3d target(0.0, 1.2, 0.6);
@@ -317,7 +371,7 @@ void measureTable1(const Corpus& corpus) {
                 std::make_shared<const LibraryMotion>(strikeAt(library, strike, target).motion);
             frames = makeSequence(graph, parametric).clip.frameCount();
         });
-        line("parametric, one example", "233 in 0.561", frames, seconds);
+        line("parametric, one example", frames, seconds, PaperCase{233, 0.561});
         break;
     }
     // The curve alone, to the first pose of the action.
@@ -327,7 +381,7 @@ void measureTable1(const Corpus& corpus) {
         strip.lead(action(40).part({0, 1}), {TransitionMethod::Bezier, 1, {}});
         frames = strip.frameCount() - action(3).size();
     });
-    line("Bézier interpolation", "20 in 0.029", frames, seconds);
+    line("Bézier interpolation", frames, seconds, PaperCase{20, 0.029});
     seconds = timed([&] {
         PlaybackBuffer buffer(graph);
         buffer.play(action(10));
@@ -340,7 +394,7 @@ void measureTable1(const Corpus& corpus) {
             ++frames;
         }
     });
-    line("dodge", "121 in 0.155", frames, seconds);
+    line("dodge", frames, seconds, PaperCase{121, 0.155});
     PathSearch search = graph->search;
     std::mt19937 random(3);
     const auto n = static_cast<unsigned>(graph->graph.nodeCount);
@@ -443,6 +497,13 @@ void measureGrowth(double largest) {
                 exponent(before.scan, row.scan, ratio), exponent(before.path, row.path, ratio));
         }
         rows.push_back(row);
+    }
+    for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
+        if (row->scan == 0) continue;
+        addRow({"clustering poses", fmt::format("made bouts, {:.0f} frames", row->frames),
+                timeText(row->clustering), "looking at every centre: " + timeText(row->scan),
+                timesText(row->scan / row->clustering)});
+        break;
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);

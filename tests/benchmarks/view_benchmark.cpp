@@ -12,6 +12,7 @@
 #include "studio/app/opening.h"
 #include "studio/app/session.h"
 #include "studio/view3d/stage_view.h"
+#include "tests/benchmarks/bench_table.h"
 #include "tests/benchmarks/studio_benchmark.h"
 
 namespace {
@@ -38,6 +39,9 @@ void measure(const char* name, Session& session, StageView& view) {
     std::printf("%-28s median %6.2f ms   95 in 100 below %6.2f ms   cores together %6.2f ms\n",
                 name, quantile(milliseconds, 0.5), quantile(milliseconds, 0.95), work);
     std::fflush(stdout);
+    bench::addRow({std::string("3D view, a frame: ") + name,
+                   std::to_string(session.playerCount()) + " fighters, 1280×800",
+                   bench::timeText(1e-3 * quantile(milliseconds, 0.5))});
 }
 
 }  // namespace

@@ -86,6 +86,9 @@ TEST_F(Cli, TheManualPageHasEveryCommandAndOptionOfTheHelp) {
             EXPECT_TRUE(named((*o)[1])) << name << " " << (*o)[1];
     }
     EXPECT_GE(commands, 20);
+    // Also where options exclude several others, which the library would name in any order.
+    EXPECT_NE(kumite({"label", "--help"}).out.find("--simulate TEXT Excludes: --auto --import"),
+              std::string::npos);
 }
 
 TEST_F(Cli, WrongUsageIsTwoAndFailureIsOne) {

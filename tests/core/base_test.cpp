@@ -95,17 +95,17 @@ TEST(AtomicWrite, WritesIntoWhatIsNoRegularFile) {
     EXPECT_EQ(::read(reader, text, sizeof text), 7);
     ::close(reader);
     EXPECT_TRUE(std::filesystem::is_fifo(pipe));
-    EXPECT_THROW(MappedFile{pipe}, Error) << "reading it would wait for ever";
+    EXPECT_THROW(FileBytes{pipe}, Error) << "reading it would wait for ever";
 }
 
-TEST(MappedFile, ReadsEmptyFilesAndRefusesFolders) {
+TEST(FileBytes, ReadsEmptyFilesAndRefusesFolders) {
     const TemporaryFolder folder;
     writeText(folder / "empty", "");
-    EXPECT_EQ(MappedFile(folder / "empty").bytes(), "");
+    EXPECT_EQ(FileBytes(folder / "empty").bytes(), "");
     writeText(folder / "some", "abc");
-    EXPECT_EQ(MappedFile(folder / "some").bytes(), "abc");
-    EXPECT_THROW(MappedFile(folder.path()), Error);
-    EXPECT_THROW(MappedFile(folder / "absent"), Error);
+    EXPECT_EQ(FileBytes(folder / "some").bytes(), "abc");
+    EXPECT_THROW(FileBytes(folder.path()), Error);
+    EXPECT_THROW(FileBytes(folder / "absent"), Error);
 }
 
 TEST(ForBlocks, CoversEveryFrameOnceAndReportsTheFirstError) {

@@ -131,7 +131,7 @@ TEST(Recording, RefusesOtherFormatsAndNamesTheWay) {
     }
     EXPECT_EQ(messageFor(folder / "a.fbx"),
               (folder / "a.fbx").string() +
-                  ": found an FBX file, expected BVH or ASF/AMC: import it into Blender and export "
+                  ": found FBX data, expected BVH or ASF/AMC: import it into Blender and export "
                   "it as Motion Capture (.bvh).");
     writeText(folder / "junk.bin", "\x01\x02");
     EXPECT_EQ(messageFor(folder / "junk.bin"),

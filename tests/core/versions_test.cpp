@@ -58,6 +58,22 @@ TEST(Versions, SavingTheSameKeepsNothing) {
     EXPECT_TRUE(keptVersions(saved.file).empty());
 }
 
+TEST(Versions, AClockThatWasSetBackDoesNotMakeTheLastStateTheOldest) {
+    const Saved saved;
+    for (int i = 1; i <= 12; ++i) {
+        saved.save(i);
+        std::this_thread::sleep_for(std::chrono::milliseconds(12));
+    }
+    // What was saved last, as if the clock had been set back by a day before.
+    std::filesystem::last_write_time(
+        saved.file, std::filesystem::last_write_time(saved.file) - std::chrono::hours(24));
+    saved.save(13);
+    const auto versions = keptVersions(saved.file);
+    ASSERT_EQ(versions.size(), 10u);
+    EXPECT_EQ(saved.cutoff(versions[0]), 12.0);
+    EXPECT_EQ(saved.cutoff(versions[1]), 11.0);
+}
+
 TEST(Versions, TimeIsThatOfTheSave) {
     const Saved saved;
     const auto before = std::chrono::system_clock::now() - std::chrono::seconds(1);
@@ -182,6 +198,22 @@ TEST(ReadOnlyFolder, AFolderThatMayNotEvenBeEnteredGivesASentence) {
     EXPECT_EQ(restricted(RLIM_INFINITY, [&] { return saveFails(saved); }), 0);
     std::filesystem::permissions(saved.folder.path(), std::filesystem::perms::owner_all);
     EXPECT_EQ(loadProject(saved.file).project.segmentation.cutoff, 3.0);
+}
+
+TEST(AtomicWrite, TakesAwayWhatACrashLeftButNothingThatMayStillBeWritten) {
+    const TemporaryFolder folder;
+    writeText(folder / ".kumite-1-1.part", "left");
+    writeText(folder / ".kumite-1-2.part", "being written");
+    writeText(folder / "mine.part", "somebody's");
+    for (const char* old : {".kumite-1-1.part", "mine.part"}) {
+        std::filesystem::last_write_time(
+            folder / old, std::filesystem::file_time_type::clock::now() - std::chrono::hours(1));
+    }
+    writeFileAtomically(folder / "bout.kumite", "text");
+    EXPECT_FALSE(std::filesystem::exists(folder / ".kumite-1-1.part"));
+    EXPECT_TRUE(std::filesystem::exists(folder / ".kumite-1-2.part"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "mine.part"));
+    EXPECT_EQ(readText(folder / "bout.kumite"), "text");
 }
 
 TEST(AtomicWrite, ManyThreadsIntoOneFolderDoNotDisturbEachOther) {

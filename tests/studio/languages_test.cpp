@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QDir>
+#include <QDirIterator>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
@@ -19,6 +20,7 @@
 #include <set>
 
 #include "studio/app/commands.h"
+#include "studio/app/core_texts.h"
 #include "studio/app/core_words.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/opening.h"
@@ -232,6 +234,101 @@ TEST_F(PseudoTest, NoTextOfTheWindowEscapesTranslation) {
     EXPECT_GT(seen, 300);
 }
 
+/// What stands between the quotes of a call such as `throw Error(…)`, piece by piece.
+QStringList literalsOf(const QString& source, qsizetype begin) {
+    QStringList literals;
+    int depth = 0;
+    qsizetype lastEnd = -2;
+    for (qsizetype i = begin; i < source.size(); ++i) {
+        const QChar c = source[i];
+        if (c == '\'') {
+            i += source[i + 1] == '\\' ? 3 : 2;
+        } else if (c == '"') {
+            QString text;
+            for (++i; source[i] != '"'; ++i) {
+                if (source[i] == '\\') ++i;
+                text += source[i];
+            }
+            // Strings that follow each other are one.
+            const bool goesOn =
+                lastEnd >= 0 &&
+                source.mid(lastEnd + 1, i - lastEnd - text.size()).trimmed()[0] == '"';
+            if (goesOn) {
+                literals.back() += text;
+            } else {
+                literals.append(text);
+            }
+            lastEnd = i;
+        } else if (c == '(') {
+            ++depth;
+        } else if (c == ')' && --depth == 0) {
+            break;
+        } else if (!c.isSpace()) {
+            lastEnd = -2;
+        }
+    }
+    return literals;
+}
+
+TEST(Languages, EverySentenceOfTheCoreIsKnownToTheTranslators) {
+    static const QRegularExpression place(QStringLiteral("%\\d|\\{[^{}]*\\}"));
+    const auto plain = [](QString text) {
+        return text.replace("{{", "(").replace("}}", ")").replace(place, "#").replace('}', ')');
+    };
+    QString known;
+    for (const CoreText& text : sentenceTexts())
+        known += plain(QString::fromUtf8(text.source)) + '\n';
+    static const QRegularExpression call(
+        QStringLiteral("\\b(?:throw (?:Error|InputError)|warning|note|fail\\w*|refuse)\\s*\\("));
+    int seen = 0;
+    QDirIterator files(KUMITE_SOURCE_DIR "/core", {"*.cpp", "*.h"}, QDir::Files,
+                       QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString path = files.next();
+        // The command line speaks English.
+        if (path.contains("/core/cli/")) continue;
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        const QString source = QString::fromUtf8(file.readAll());
+        for (auto each = call.globalMatch(source); each.hasNext();) {
+            for (const QString& literal : literalsOf(source, each.next().capturedEnd() - 1)) {
+                QString text = plain(literal).trimmed();
+                // Of a sentence that is made of pieces the long ones tell.
+                if (text.count(' ') < 2) continue;
+                ++seen;
+                // What precedes the colon of a path is no part of the sentence.
+                static const QRegularExpression before(QStringLiteral("^(#?:)+ "));
+                QString pattern = QRegularExpression::escape(text.remove(before));
+                pattern.replace(QStringLiteral("\\#"), QStringLiteral("[^\n]*?"));
+                EXPECT_TRUE(known.contains(QRegularExpression(pattern)))
+                    << file.fileName().toStdString() << ": " << text.toStdString();
+            }
+        }
+    }
+    EXPECT_GT(seen, 200);
+}
+
+TEST(Languages, ErrorsAreSaidWithTheirPlace) {
+    useLanguage("de");
+    const QString error = coreWords(
+        "/takes/a: b/bout.bvh:12:4: found 'X', expected the number of "
+        "channels, 0 to 6");
+    EXPECT_TRUE(error.startsWith("/takes/a: b/bout.bvh:12:4: ")) << error.toStdString();
+    EXPECT_TRUE(error.contains("'X'"));
+    EXPECT_FALSE(error.contains("found") || error.contains("channels")) << error.toStdString();
+    const QString left = coreWords(
+        "bout.bvh: there is no such file. The recording is left out; its "
+        "corrections are kept.");
+    EXPECT_FALSE(left.contains("there is") || left.contains("recording")) << left.toStdString();
+    EXPECT_FALSE(coreWords("opponent's right kick up, closing 4.1 m/s").contains("kick"));
+    EXPECT_TRUE(coreWords("opponent's right kick up, closing 4.1 m/s").contains("4.1"));
+    EXPECT_EQ(coreWords("There is a take named \"no action there.\" already.").count("no action"),
+              0);
+    EXPECT_NE(roleWords(Role::LeftWrist), "left wrist");
+    useLanguage("en");
+    EXPECT_EQ(roleWords(Role::LeftWrist), "left wrist");
+}
+
 TEST(Languages, WhatTheCoreSaysIsTranslatedPieceByPiece) {
     useLanguage("de");
     EXPECT_FALSE(coreWords("Remove boundary at 0:12.30, fighter 1").contains("boundary"));
@@ -273,6 +370,7 @@ TEST_F(KeeperTest, AnotherLanguageComesWithoutALossAndWithoutARestart) {
     before.toggleBoundary({0, before.marks(0)[3].frame});
     before.toggleBoundary({1, before.marks(1)[3].frame});
     ASSERT_TRUE(QTest::qWaitFor(idle, 20000));
+    keeper.window().messages().showFindings("Found while reading", {note("No neck.")});
     before.document().undo();
     before.transport().setPlayhead(1.25);
     keeper.window().workspaces().show("label");
@@ -296,6 +394,10 @@ TEST_F(KeeperTest, AnotherLanguageComesWithoutALossAndWithoutARestart) {
     EXPECT_EQ(document.path(), file("bout.kumite"));
     EXPECT_DOUBLE_EQ(now.session().transport().playhead(), 1.25);
     EXPECT_EQ(now.workspaces().current(), "label");
+    bool counted = false;
+    for (auto* button : now.findChildren<QAbstractButton*>())
+        counted = counted || (button->isVisible() && button->text().startsWith("1 "));
+    EXPECT_TRUE(counted) << "what was found in the recordings";
     EXPECT_EQ(QDir(Recovery::folder()).entryList({"*.edit"}, QDir::Files).size(), 1)
         << "the unsaved edit is kept for a crash";
     ASSERT_TRUE(QTest::qWaitFor(idle, 20000));

@@ -113,6 +113,32 @@ TEST_F(RecoveryTest, TheFirstSaveAfterwardsAsksOnlyWhereTheFileIsAnother) {
     EXPECT_EQ(loadProject(toPath(file("bout.kumite"))).project.segmentation.cutoff, 4.5);
 }
 
+TEST_F(RecoveryTest, TheLastCopyIsOfferedAlsoWhenTheClockWasSetBack) {
+    openBout();
+    {
+        Recovery recovery(session());
+        session().toggleBoundary(someBoundary(0));
+        recovery.autosave();
+        QTRY_COMPARE(copies(".kumite").size(), 1);
+        session().toggleBoundary(someBoundary(1));
+        leaveBehind("dead");
+    }
+    // As if the clock had been set back by a day between the two copies.
+    QFile last(Recovery::folder() + "/dead.edit");
+    ASSERT_TRUE(last.open(QIODevice::ReadOnly));
+    QByteArray text = last.readAll();
+    last.close();
+    const QDate today = QDate::currentDate();
+    ASSERT_TRUE(text.contains(today.toString(Qt::ISODate).toLatin1()));
+    text.replace(today.toString(Qt::ISODate).toLatin1(),
+                 today.addDays(-1).toString(Qt::ISODate).toLatin1());
+    ASSERT_TRUE(last.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    last.write(text);
+    last.close();
+    ASSERT_EQ(Recovery::leftBehind().size(), 1U);
+    EXPECT_EQ(Recovery::leftBehind()[0].edits, 2);
+}
+
 TEST_F(RecoveryTest, WhereTheLastCopyIsTornTheOneBeforeIsOffered) {
     openBout();
     {

@@ -204,8 +204,7 @@ std::vector<int> KeySession::joints() const {
 QString KeySession::jointName(int joint) const {
     const Rig& rig = *draft_.track.rig;
     for (const Role role : allRoles()) {
-        if (rig.roles[role] == joint)
-            return roleWords(role);
+        if (rig.roles[role] == joint) return roleWords(role);
     }
     return QString::fromStdString(rig.joint(joint).name);
 }

@@ -166,7 +166,7 @@ void LabelExchange::compareWith(const QString& path) {
 
 void LabelExchange::useVocabulary(const QString& path) {
     try {
-        const MappedFile file(pathOf(path));
+        const FileBytes file(pathOf(path));
         Findings findings;
         const Vocabulary vocabulary =
             parseVocabulary(file.bytes(), nameOf(path).toStdString(), &findings);

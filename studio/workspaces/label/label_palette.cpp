@@ -27,6 +27,18 @@ int chipWidth() {
 }
 constexpr int kGap = 4;
 
+bool isIdeograph(QChar c) {
+    switch (c.script()) {
+        case QChar::Script_Han:
+        case QChar::Script_Hiragana:
+        case QChar::Script_Katakana:
+        case QChar::Script_Hangul:
+            return true;
+        default:
+            return false;
+    }
+}
+
 /// What a label and its mirror image have in common, "punch forward", and what tells each from the
 /// other, "left" and "right": word by word.
 struct PairWords {
@@ -47,7 +59,17 @@ PairWords pairWords(const QString& one, const QString& other) {
         }
     }
     const QString blank(QLatin1Char(' '));
-    return {both.join(blank), first.join(blank), second.join(blank)};
+    PairWords words{both.join(blank), first.join(blank), second.join(blank)};
+    // Where words stand without blanks, the sign for the side is part of a word: 左突き, 右突き.
+    QString shared;
+    while (words.one.size() > 1 && words.other.size() > 1 && isIdeograph(words.one.back()) &&
+           words.one.back() == words.other.back()) {
+        shared.prepend(words.one.back());
+        words.one.chop(1);
+        words.other.chop(1);
+    }
+    if (!shared.isEmpty()) words.both = (shared + blank + words.both).trimmed();
+    return words;
 }
 
 /// A key as a small cap; gives its width. Nothing without a key.
@@ -159,7 +181,22 @@ void LabelPalette::addClasses(int& top) {
 void LabelPalette::addQuick(int& top) {
     const Vocabulary& vocabulary = review_.labels().vocabulary();
     const std::vector<QuickLabel> all = quickLabels(vocabulary);
-    const int column = std::max(fontMetrics().horizontalAdvance(QStringLiteral("right")), 28) + 6;
+    const auto isPair = [&](std::size_t i) {
+        return i + 1 < all.size() && all[i + 1].label != all[i].label &&
+               mirroredLabel(vocabulary, all[i].label) == all[i + 1].label;
+    };
+    const auto wordsOf = [&](std::size_t i) {
+        return pairWords(labelWords(vocabulary, all[i].label),
+                         labelWords(vocabulary, all[i + 1].label));
+    };
+    int column = 28;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!isPair(i)) continue;
+        const PairWords words = wordsOf(i++);
+        for (const QString& side : {words.one, words.other})
+            column = std::max(column, fontMetrics().horizontalAdvance(side));
+    }
+    column = std::min(column + 6, width() / 3);
     QString head;
     for (std::size_t i = 0; i < all.size(); ++i) {
         Spot quick;
@@ -173,15 +210,12 @@ void LabelPalette::addQuick(int& top) {
             quick.text = text;
             spots_.push_back(quick);
         };
-        const bool pair = i + 1 < all.size() && all[i + 1].label != all[i].label &&
-                          mirroredLabel(vocabulary, all[i].label) == all[i + 1].label;
-        if (!pair) {
+        if (!isPair(i)) {
             put(i, QRect(0, top, width(), rowHeight()), labelWords(vocabulary, all[i].label));
             top += rowHeight();
             continue;
         }
-        const PairWords words = pairWords(labelWords(vocabulary, all[i].label),
-                                          labelWords(vocabulary, all[i + 1].label));
+        const PairWords words = wordsOf(i);
         if (head != words.one + words.other) {
             head = words.one + words.other;
             Spot caption;
