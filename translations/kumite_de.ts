@@ -1380,14 +1380,6 @@
         <translation>Kanal %1 von %2: Xposition, Yposition, Zposition, Xrotation, Yrotation oder Zrotation</translation>
     </message>
     <message>
-        <source>Frame Time:</source>
-        <translation>Frame Time:</translation>
-    </message>
-    <message>
-        <source>Frames:</source>
-        <translation>Frames:</translation>
-    </message>
-    <message>
         <source>a finite number with a decimal point</source>
         <translation>eine endliche Zahl mit Dezimalpunkt</translation>
     </message>
@@ -5443,10 +5435,6 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
         <translation>Klassen und ihre Tasten</translation>
     </message>
     <message>
-        <source>and: adds the next class</source>
-        <translation>und: fügt die nächste Klasse hinzu</translation>
-    </message>
-    <message>
         <source>For two strikes in one action: this, then a class of another lane</source>
         <translation>Für zwei Techniken in einer Aktion: erst dies, dann eine Klasse einer anderen Spur</translation>
     </message>
@@ -5455,6 +5443,10 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
 Right click: paint with it over actions of the timeline</source>
         <translation>
 Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
+    </message>
+    <message>
+        <source>first, then two classes: both</source>
+        <translation>zuerst, dann zwei Klassen: beide</translation>
     </message>
 </context>
 <context>
@@ -6634,6 +6626,10 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <source>Removed take %1. %2 brings it back.</source>
         <translation>Take %1 entfernt. %2 bringt ihn zurück.</translation>
     </message>
+    <message>
+        <source>leave the field or button</source>
+        <translation>Feld oder Knopf verlassen</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MatrixPage</name>
@@ -7558,10 +7554,6 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>, </translation>
     </message>
     <message>
-        <source>The next ones are those of which the machine is least sure.</source>
-        <translation>Die nächsten sind die, bei denen die Maschine am unsichersten ist.</translation>
-    </message>
-    <message>
         <source>Accept %1 guesses</source>
         <translation>%1 Vermutungen</translation>
     </message>
@@ -7575,6 +7567,10 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
             <numerusform>%n Minimum ist noch verdächtig. Halbe Aktionen sind schwer zu labeln: erst im Schnitt verbessern, oder weiter mit N.</numerusform>
             <numerusform>%n Minima sind noch verdächtig. Halbe Aktionen sind schwer zu labeln: erst im Schnitt verbessern, oder weiter mit N.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
+        <translation>Weiter: Die nächsten sagen der Maschine am meisten. Oder den sicheren Rest annehmen: N führt dann zu den unsichersten.</translation>
     </message>
 </context>
 <context>

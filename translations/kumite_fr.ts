@@ -201,19 +201,19 @@
     </message>
     <message>
         <source>cannot be read: %1.</source>
-        <translation>lecture impossible : %1.</translation>
+        <translation>lecture impossible&#xa0;: %1.</translation>
     </message>
     <message>
         <source>cannot read: %1.</source>
-        <translation>lecture impossible : %1.</translation>
+        <translation>lecture impossible&#xa0;: %1.</translation>
     </message>
     <message>
         <source>cannot write: %1.</source>
-        <translation>écriture impossible : %1.</translation>
+        <translation>écriture impossible&#xa0;: %1.</translation>
     </message>
     <message>
         <source>cannot make this folder: %1.</source>
-        <translation>impossible de créer ce dossier : %1.</translation>
+        <translation>impossible de créer ce dossier&#xa0;: %1.</translation>
     </message>
     <message>
         <source>is a folder, expected a file.</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>is no regular file; save it as one first.</source>
-        <translation>n’est pas un fichier ordinaire ; mettez-en d’abord le contenu dans un fichier.</translation>
+        <translation>n’est pas un fichier ordinaire&#xa0;; mettez-en d’abord le contenu dans un fichier.</translation>
     </message>
     <message>
         <source>is a folder, expected a file to write.</source>
@@ -229,7 +229,7 @@
     </message>
     <message>
         <source>is what is read here; write to another file.</source>
-        <translation>est justement ce qui est lu ici ; écrivez dans un autre fichier.</translation>
+        <translation>est justement ce qui est lu ici&#xa0;; écrivez dans un autre fichier.</translation>
     </message>
     <message>
         <source>there is no such file.</source>
@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>The file holds %1 skeletons: %2. The first is read unless --root names another.</source>
-        <translation>Le fichier contient %1 squelettes : %2. Le premier est lu, sauf si --root en nomme un autre.</translation>
+        <translation>Le fichier contient %1 squelettes&#xa0;: %2. Le premier est lu, sauf si --root en nomme un autre.</translation>
     </message>
     <message>
         <source>found several skeletons beside it (%1), expected one (name it with --asf)</source>
@@ -253,7 +253,7 @@
     </message>
     <message>
         <source>found %1, expected %2</source>
-        <translation>trouvé : %1 ; attendu : %2</translation>
+        <translation>trouvé&#xa0;: %1&#xa0;; attendu&#xa0;: %2</translation>
     </message>
     <message>
         <source>the end of the file</source>
@@ -273,31 +273,31 @@
     </message>
     <message>
         <source>For labelling, these joints take their parents&apos; place: %1.</source>
-        <translation>Pour l’étiquetage, ces articulations prennent la place de leur parent : %1.</translation>
+        <translation>Pour l’étiquetage, ces articulations prennent la place de leur parent&#xa0;: %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no aspect of the vocabulary %2.</source>
-        <translation>« %1 » ne nomme aucun aspect du vocabulaire %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne nomme aucun aspect du vocabulaire %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names no qualifier of %2.</source>
-        <translation>« %1 » ne nomme aucun qualificatif de %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne nomme aucun qualificatif de %2.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; names an aspect twice.</source>
-        <translation>« %1 » nomme deux fois un même aspect.</translation>
+        <translation>«&#xa0;%1&#xa0;» nomme deux fois un même aspect.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %.</source>
-        <translation>Après %1, une confiance est attendue, comme 0.6 ou 60 %.</translation>
+        <translation>Après %1, une confiance est attendue, comme 0.6 ou 60&#xa0;%.</translation>
     </message>
     <message>
         <source>After %1 a confidence is expected, such as 0.6 or 60 %, not %2.</source>
-        <translation>Après %1, une confiance est attendue, comme 0.6 ou 60 %, et non %2.</translation>
+        <translation>Après %1, une confiance est attendue, comme 0.6 ou 60&#xa0;%, et non %2.</translation>
     </message>
     <message>
         <source>Say whether the confidence is &quot;below %1&quot; or &quot;above %1&quot;.</source>
-        <translation>Dites si la confiance est inférieure (« below %1 ») ou supérieure (« above %1 »).</translation>
+        <translation>Dites si la confiance est inférieure («&#xa0;below %1&#xa0;») ou supérieure («&#xa0;above %1&#xa0;»).</translation>
     </message>
     <message>
         <source>After %1 a time is expected, such as %2.</source>
@@ -321,15 +321,15 @@
     </message>
     <message>
         <source>There is no take %1; the takes are %2.</source>
-        <translation>Il n’y a pas de prise %1 ; les prises sont %2.</translation>
+        <translation>Il n’y a pas de prise %1&#xa0;; les prises sont %2.</translation>
     </message>
     <message>
         <source>Say which take; the takes are %1.</source>
-        <translation>Dites quelle prise ; les prises sont %1.</translation>
+        <translation>Dites quelle prise&#xa0;; les prises sont %1.</translation>
     </message>
     <message>
         <source>No aspect has a &quot;strike&quot;: %1 will never find anything to react to.</source>
-        <translation>Aucun aspect n’a de « strike » : %1 ne trouvera jamais rien à quoi réagir.</translation>
+        <translation>Aucun aspect n’a de «&#xa0;strike&#xa0;»&#xa0;: %1 ne trouvera jamais rien à quoi réagir.</translation>
     </message>
     <message>
         <source>The key %1 stands for both %2 and %3.</source>
@@ -341,15 +341,15 @@
     </message>
     <message>
         <source>The target has no %1: their turns go to the joints below them.</source>
-        <translation>Il manque à la cible : %1. Leurs rotations passent aux articulations en dessous.</translation>
+        <translation>Il manque à la cible&#xa0;: %1. Leurs rotations passent aux articulations en dessous.</translation>
     </message>
     <message>
         <source>The source has no %1: they keep their rest relative to their parent.</source>
-        <translation>Il manque à la source : %1. Ces articulations gardent leur pose de repos par rapport à leur parent.</translation>
+        <translation>Il manque à la source&#xa0;: %1. Ces articulations gardent leur pose de repos par rapport à leur parent.</translation>
     </message>
     <message>
         <source>No joint was found for: %1.</source>
-        <translation>Aucune articulation trouvée pour : %1.</translation>
+        <translation>Aucune articulation trouvée pour&#xa0;: %1.</translation>
     </message>
     <message>
         <source>Joint %1 does not stand behind its parent.</source>
@@ -369,11 +369,11 @@
     </message>
     <message>
         <source>Frame 0 is a rest pose, not motion; takes leave it out.</source>
-        <translation>L’image 0 est une pose de repos, pas un mouvement ; les prises l’omettent.</translation>
+        <translation>L’image 0 est une pose de repos, pas un mouvement&#xa0;; les prises l’omettent.</translation>
     </message>
     <message>
         <source>Frames 0 to %1 are a rest pose, not motion; takes leave them out.</source>
-        <translation>Les images 0 à %1 sont une pose de repos, pas un mouvement ; les prises les omettent.</translation>
+        <translation>Les images 0 à %1 sont une pose de repos, pas un mouvement&#xa0;; les prises les omettent.</translation>
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2.</source>
@@ -381,11 +381,11 @@
     </message>
     <message>
         <source>Fighter %1 has no boundary near frame %2; the nearest is at %3.</source>
-        <translation>Le combattant %1 n’a aucune limite près de l’image %2 ; la plus proche est à l’image %3.</translation>
+        <translation>Le combattant %1 n’a aucune limite près de l’image %2&#xa0;; la plus proche est à l’image %3.</translation>
     </message>
     <message>
         <source>the recording is missing; its boundaries cannot be edited.</source>
-        <translation>l’enregistrement manque ; ses limites ne peuvent pas être modifiées.</translation>
+        <translation>l’enregistrement manque&#xa0;; ses limites ne peuvent pas être modifiées.</translation>
     </message>
     <message>
         <source>A time offset must be a number.</source>
@@ -401,19 +401,19 @@
     </message>
     <message>
         <source>There is a take named &quot;%1&quot; already.</source>
-        <translation>Il y a déjà une prise nommée « %1 ».</translation>
+        <translation>Il y a déjà une prise nommée «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>%1 has another skeleton: it is not the recording that is missing.</source>
-        <translation>%1 a un autre squelette : ce n’est pas l’enregistrement qui manque.</translation>
+        <translation>%1 a un autre squelette&#xa0;: ce n’est pas l’enregistrement qui manque.</translation>
     </message>
     <message>
         <source>the suffix says what to write, expected .bvh, .glb, .npz, .csv, .json or .eaf.</source>
-        <translation>l’extension dit quoi écrire : .bvh, .glb, .npz, .csv, .json ou .eaf.</translation>
+        <translation>l’extension dit quoi écrire&#xa0;: .bvh, .glb, .npz, .csv, .json ou .eaf.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be written without it.</source>
-        <translation>l’enregistrement manque ; la prise ne peut pas être écrite sans lui.</translation>
+        <translation>l’enregistrement manque&#xa0;; la prise ne peut pas être écrite sans lui.</translation>
     </message>
     <message>
         <source>a graph is written as .csv, .json or .graphml.</source>
@@ -421,19 +421,19 @@
     </message>
     <message>
         <source>there is no joint named &quot;%1&quot;; there is: %2.</source>
-        <translation>aucune articulation ne se nomme « %1 » ; il y a : %2.</translation>
+        <translation>aucune articulation ne se nomme «&#xa0;%1&#xa0;»&#xa0;; il y a&#xa0;: %2.</translation>
     </message>
     <message>
         <source>the name holds bytes that are no UTF-8 text; rename the file or folder.</source>
-        <translation>le nom contient des octets qui ne sont pas du texte UTF-8 ; renommez le fichier ou le dossier.</translation>
+        <translation>le nom contient des octets qui ne sont pas du texte UTF-8&#xa0;; renommez le fichier ou le dossier.</translation>
     </message>
     <message>
         <source>the key pose of clip &quot;%1&quot; is not in the project</source>
-        <translation>la pose clé du clip « %1 » n’est pas dans le projet</translation>
+        <translation>la pose clé du clip «&#xa0;%1&#xa0;» n’est pas dans le projet</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no source.</source>
-        <translation>« %1 » n’est pas une source.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une source.</translation>
     </message>
     <message>
         <source>labels are written as .csv, .json or .eaf.</source>
@@ -445,7 +445,7 @@
     </message>
     <message>
         <source>the project has no take &quot;%1&quot;.</source>
-        <translation>le projet n’a pas de prise « %1 ».</translation>
+        <translation>le projet n’a pas de prise «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>the take has no such fighter.</source>
@@ -465,11 +465,11 @@
     </message>
     <message>
         <source>the recording is missing; its actions cannot be labelled.</source>
-        <translation>l’enregistrement manque ; ses actions ne peuvent pas être étiquetées.</translation>
+        <translation>l’enregistrement manque&#xa0;; ses actions ne peuvent pas être étiquetées.</translation>
     </message>
     <message>
         <source>has no body with two legs; it is left out.</source>
-        <translation>n’a pas de corps à deux jambes ; il est laissé de côté.</translation>
+        <translation>n’a pas de corps à deux jambes&#xa0;; il est laissé de côté.</translation>
     </message>
     <message>
         <source>%1 It is left out.</source>
@@ -477,19 +477,19 @@
     </message>
     <message>
         <source>&quot;%1&quot;: expected frames as A:B after the @.</source>
-        <translation>« %1 » : après le @, des images sont attendues sous la forme A:B.</translation>
+        <translation>«&#xa0;%1&#xa0;»&#xa0;: après le @, des images sont attendues sous la forme A:B.</translation>
     </message>
     <message>
         <source>&quot;%1&quot;: these frames are not in it; it has %2 to %3.</source>
-        <translation>« %1 » : ces images n’y sont pas ; il y a les images %2 à %3.</translation>
+        <translation>«&#xa0;%1&#xa0;»&#xa0;: ces images n’y sont pas&#xa0;; il y a les images %2 à %3.</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot;.</source>
-        <translation>Aucune action de la bibliothèque n’est étiquetée « %1 ».</translation>
+        <translation>Aucune action de la bibliothèque n’est étiquetée «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>No action of the library is labelled &quot;%1&quot; of that player.</source>
-        <translation>Aucune action de ce combattant n’est étiquetée « %1 » dans la bibliothèque.</translation>
+        <translation>Aucune action de ce combattant n’est étiquetée «&#xa0;%1&#xa0;» dans la bibliothèque.</translation>
     </message>
     <message>
         <source>None of these clips is of that player.</source>
@@ -497,47 +497,47 @@
     </message>
     <message>
         <source>joint &quot;%1&quot; is gone; the role %2 has no joint now.</source>
-        <translation>l’articulation « %1 » a disparu ; le rôle %2 n’a plus d’articulation.</translation>
+        <translation>l’articulation «&#xa0;%1&#xa0;» a disparu&#xa0;; le rôle %2 n’a plus d’articulation.</translation>
     </message>
     <message>
         <source>%1 The recording is left out; its corrections are kept.</source>
-        <translation>%1 L’enregistrement est laissé de côté ; ses corrections sont gardées.</translation>
+        <translation>%1 L’enregistrement est laissé de côté&#xa0;; ses corrections sont gardées.</translation>
     </message>
     <message>
         <source>the recording is missing; put it back or relink it. Its corrections are kept.</source>
-        <translation>l’enregistrement manque ; remettez-le en place ou reliez-le. Ses corrections sont gardées.</translation>
+        <translation>l’enregistrement manque&#xa0;; remettez-le en place ou reliez-le. Ses corrections sont gardées.</translation>
     </message>
     <message>
         <source>the recording has changed since it became part of the project; check the boundaries, then relink it to accept the change.</source>
-        <translation>l’enregistrement a changé depuis son entrée dans le projet ; vérifiez les limites, puis reliez-le pour accepter le changement.</translation>
+        <translation>l’enregistrement a changé depuis son entrée dans le projet&#xa0;; vérifiez les limites, puis reliez-le pour accepter le changement.</translation>
     </message>
     <message>
         <source>the recording is missing; the take cannot be shown without it.</source>
-        <translation>l’enregistrement manque ; la prise ne peut pas être affichée sans lui.</translation>
+        <translation>l’enregistrement manque&#xa0;; la prise ne peut pas être affichée sans lui.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; the project has none.</source>
-        <translation>Aucune prise ne se nomme « %1 » ; le projet n’en a aucune.</translation>
+        <translation>Aucune prise ne se nomme «&#xa0;%1&#xa0;»&#xa0;; le projet n’en a aucune.</translation>
     </message>
     <message>
         <source>There is no take named &quot;%1&quot;; there is: %2.</source>
-        <translation>Aucune prise ne se nomme « %1 » ; il y a : %2.</translation>
+        <translation>Aucune prise ne se nomme «&#xa0;%1&#xa0;»&#xa0;; il y a&#xa0;: %2.</translation>
     </message>
     <message>
         <source>no contact force without a body; no joint has the role %1.</source>
-        <translation>pas de force de contact sans corps ; aucune articulation n’a le rôle %1.</translation>
+        <translation>pas de force de contact sans corps&#xa0;; aucune articulation n’a le rôle %1.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; of fighter %2 is no correction without a minimum.</source>
-        <translation>« %1 » du combattant %2 n’est pas une correction sans minimum.</translation>
+        <translation>«&#xa0;%1&#xa0;» du combattant %2 n’est pas une correction sans minimum.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; leaves no boundary that could be added.</source>
-        <translation>« %1 » ne laisse aucune limite à ajouter.</translation>
+        <translation>«&#xa0;%1&#xa0;» ne laisse aucune limite à ajouter.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; cannot be reached: the nearest target that can is %2.</source>
-        <translation>« %1 » est hors d’atteinte : la cible la plus proche qu’on puisse atteindre est %2.</translation>
+        <translation>«&#xa0;%1&#xa0;» est hors d’atteinte&#xa0;: la cible la plus proche qu’on puisse atteindre est %2.</translation>
     </message>
     <message>
         <source>What was saved before could not be kept. %1</source>
@@ -545,31 +545,31 @@
     </message>
     <message>
         <source>holds %1 frames only; the take ends there for this fighter.</source>
-        <translation>ne contient que %1 images ; la prise s’arrête là pour ce combattant.</translation>
+        <translation>ne contient que %1 images&#xa0;; la prise s’arrête là pour ce combattant.</translation>
     </message>
     <message>
         <source>holds %1 frames now, the take begins at frame %2; the recording is left out.</source>
-        <translation>contient maintenant %1 images, or la prise commence à l’image %2 ; l’enregistrement est laissé de côté.</translation>
+        <translation>contient maintenant %1 images, or la prise commence à l’image %2&#xa0;; l’enregistrement est laissé de côté.</translation>
     </message>
     <message>
         <source>holds %1 frames now; the take ends there.</source>
-        <translation>contient maintenant %1 images ; la prise s’arrête là.</translation>
+        <translation>contient maintenant %1 images&#xa0;; la prise s’arrête là.</translation>
     </message>
     <message>
         <source>a cutoff of %1 Hz smooths nothing at %2 frames a second; choose one below %3 Hz.</source>
-        <translation>une coupure de %1 Hz ne lisse rien à %2 images par seconde ; choisissez-la en dessous de %3 Hz.</translation>
+        <translation>une coupure de %1&#xa0;Hz ne lisse rien à %2 images par seconde&#xa0;; choisissez-la en dessous de %3&#xa0;Hz.</translation>
     </message>
     <message>
         <source>the annotation &quot;%1&quot; has no time and is left out.</source>
-        <translation>l’annotation « %1 » n’a pas de temps et est laissée de côté.</translation>
+        <translation>l’annotation «&#xa0;%1&#xa0;» n’a pas de temps et est laissée de côté.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is no action that can be asked for; there are %2, what they strike with, and ASPECT:QUALIFIER.</source>
-        <translation>« %1 » n’est pas une action qu’on puisse demander ; on peut demander %2, leur genre de frappe, ou ASPECT:QUALIFIER.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une action qu’on puisse demander&#xa0;; on peut demander %2, leur genre de frappe, ou ASPECT:QUALIFIER.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is missing.</source>
-        <translation>« %1 » manque.</translation>
+        <translation>«&#xa0;%1&#xa0;» manque.</translation>
     </message>
     <message>
         <source>expected a list.</source>
@@ -621,7 +621,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no joint role.</source>
-        <translation>« %1 » n’est pas un rôle d’articulation.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un rôle d’articulation.</translation>
     </message>
     <message>
         <source>is no joint role.</source>
@@ -629,7 +629,7 @@
     </message>
     <message>
         <source>is no vocabulary: it has no &quot;vocabulary&quot; version.</source>
-        <translation>n’est pas un vocabulaire : il n’a pas de version &quot;vocabulary&quot;.</translation>
+        <translation>n’est pas un vocabulaire&#xa0;: il n’a pas de version &quot;vocabulary&quot;.</translation>
     </message>
     <message>
         <source>is the id of two qualifiers.</source>
@@ -661,7 +661,7 @@
     </message>
     <message>
         <source>there is no aspect &quot;%1&quot;.</source>
-        <translation>il n’y a pas d’aspect « %1 ».</translation>
+        <translation>il n’y a pas d’aspect «&#xa0;%1&#xa0;».</translation>
     </message>
     <message>
         <source>The system&apos;s OpenSSL library cannot compute SHA-256.</source>
@@ -669,11 +669,11 @@
     </message>
     <message>
         <source>A demo bout lasts from 1 second to 24 hours; %1 seconds were asked for.</source>
-        <translation>Un combat de démonstration dure de 1 seconde à 24 heures ; %1 secondes ont été demandées.</translation>
+        <translation>Un combat de démonstration dure de 1 seconde à 24 heures&#xa0;; %1 secondes ont été demandées.</translation>
     </message>
     <message>
         <source>A demo bout has 24 to 240 frames a second; %1 were asked for.</source>
-        <translation>Un combat de démonstration a de 24 à 240 images par seconde ; %1 ont été demandées.</translation>
+        <translation>Un combat de démonstration a de 24 à 240 images par seconde&#xa0;; %1 ont été demandées.</translation>
     </message>
     <message>
         <source>There is no key pose to make a motion of.</source>
@@ -753,11 +753,11 @@
     </message>
     <message>
         <source>The skeleton has no %1: its roles tell nothing that could hit.</source>
-        <translation>Il manque au squelette : %1. Ses rôles n’indiquent rien qui puisse frapper.</translation>
+        <translation>Il manque au squelette&#xa0;: %1. Ses rôles n’indiquent rien qui puisse frapper.</translation>
     </message>
     <message>
         <source>Strike &quot;%1&quot; is of another skeleton.</source>
-        <translation>La frappe « %1 » est d’un autre squelette.</translation>
+        <translation>La frappe «&#xa0;%1&#xa0;» est d’un autre squelette.</translation>
     </message>
     <message>
         <source>Feature poses must come in pairs, one of the query and one of the clip.</source>
@@ -769,15 +769,15 @@
     </message>
     <message>
         <source>An AMC file does not say its frame rate: 120 Hz is assumed; give another with --rate.</source>
-        <translation>Un fichier AMC ne dit pas sa cadence : 120 Hz est supposé ; donnez-en une autre avec --rate.</translation>
+        <translation>Un fichier AMC ne dit pas sa cadence&#xa0;: 120&#xa0;Hz est supposé&#xa0;; donnez-en une autre avec --rate.</translation>
     </message>
     <message>
         <source>Frame %1, the last, is cut: it is dropped.</source>
-        <translation>L’image %1, la dernière, est tronquée : elle est abandonnée.</translation>
+        <translation>L’image %1, la dernière, est tronquée&#xa0;: elle est abandonnée.</translation>
     </message>
     <message>
         <source>Frame %1 does not follow the one before it by number: the frames are taken one after the other.</source>
-        <translation>Le numéro de l’image %1 ne suit pas celui de la précédente : les images sont prises l’une après l’autre.</translation>
+        <translation>Le numéro de l’image %1 ne suit pas celui de la précédente&#xa0;: les images sont prises l’une après l’autre.</translation>
     </message>
     <message>
         <source>found %1 numbers, expected %2 for bone %3 in frame %4</source>
@@ -785,11 +785,11 @@
     </message>
     <message>
         <source>found no line for bone %1 in frame %2, expected one for each bone with a dof</source>
-        <translation>aucune ligne pour l’os %1 à l’image %2 ; il en faut une pour chaque os qui a un dof</translation>
+        <translation>aucune ligne pour l’os %1 à l’image %2&#xa0;; il en faut une pour chaque os qui a un dof</translation>
     </message>
     <message>
         <source>found %1, expected a unit of length greater than zero</source>
-        <translation>trouvé : %1 ; attendu : une unité de longueur supérieure à zéro</translation>
+        <translation>trouvé&#xa0;: %1&#xa0;; attendu&#xa0;: une unité de longueur supérieure à zéro</translation>
     </message>
     <message>
         <source>found a bone without name, expected one</source>
@@ -801,19 +801,19 @@
     </message>
     <message>
         <source>found bone %1 a second time, expected one parent for each</source>
-        <translation>l’os %1 apparaît une deuxième fois ; chacun n’a qu’un parent</translation>
+        <translation>l’os %1 apparaît une deuxième fois&#xa0;; chacun n’a qu’un parent</translation>
     </message>
     <message>
         <source>found bone %1 that does not hang on the root, expected it in :hierarchy</source>
-        <translation>l’os %1 n’est pas rattaché à la racine ; il devrait l’être dans :hierarchy</translation>
+        <translation>l’os %1 n’est pas rattaché à la racine&#xa0;; il devrait l’être dans :hierarchy</translation>
     </message>
     <message>
         <source>found a skeleton without any dof, expected an order for the root</source>
-        <translation>le squelette n’a aucun dof ; order était attendu pour la racine</translation>
+        <translation>le squelette n’a aucun dof&#xa0;; order était attendu pour la racine</translation>
     </message>
     <message>
         <source>Bone %1 changes its length: that is not used.</source>
-        <translation>L’os %1 change de longueur : ce n’est pas pris en compte.</translation>
+        <translation>L’os %1 change de longueur&#xa0;: ce n’est pas pris en compte.</translation>
     </message>
     <message>
         <source>found more joints than a skeleton can have, expected %1 at most</source>
@@ -821,11 +821,11 @@
     </message>
     <message>
         <source>%1 has no OFFSET: taken as 0 0 0.</source>
-        <translation>%1 n’a pas d’OFFSET : 0 0 0 est supposé.</translation>
+        <translation>%1 n’a pas d’OFFSET&#xa0;: 0 0 0 est supposé.</translation>
     </message>
     <message>
         <source>%1 has channels or children: read as a joint.</source>
-        <translation>%1 a des canaux ou des enfants : lu comme une articulation.</translation>
+        <translation>%1 a des canaux ou des enfants&#xa0;: lu comme une articulation.</translation>
     </message>
     <message>
         <source>found a second %1, expected one in joint %2</source>
@@ -837,7 +837,7 @@
     </message>
     <message>
         <source>found %1 numbers after Frame Time, expected at least one frame of %2 numbers</source>
-        <translation>%1 nombres après Frame Time ; il faut au moins une image de %2 nombres</translation>
+        <translation>%1 nombres après Frame Time&#xa0;; il faut au moins une image de %2 nombres</translation>
     </message>
     <message>
         <source>found more frames than can be counted, expected fewer</source>
@@ -845,7 +845,7 @@
     </message>
     <message>
         <source>A .glb file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation>Un fichier .glb ne peut pas dépasser 4 Go : exportez une plage plus courte.</translation>
+        <translation>Un fichier .glb ne peut pas dépasser 4&#xa0;Go&#xa0;: exportez une plage plus courte.</translation>
     </message>
     <message>
         <source>There is no figure to write.</source>
@@ -865,7 +865,7 @@
     </message>
     <message>
         <source>A .npz file cannot hold more than 4 GB: export a shorter range.</source>
-        <translation>Un fichier .npz ne peut pas dépasser 4 Go : exportez une plage plus courte.</translation>
+        <translation>Un fichier .npz ne peut pas dépasser 4&#xa0;Go&#xa0;: exportez une plage plus courte.</translation>
     </message>
     <message>
         <source>found no skeleton beside it, expected an .asf file (name it with --asf)</source>
@@ -873,7 +873,7 @@
     </message>
     <message>
         <source>found an ASF skeleton, which holds no motion, expected the .amc file that belongs to it.</source>
-        <translation>c’est un squelette ASF, qui ne contient pas de mouvement ; le fichier .amc qui va avec était attendu.</translation>
+        <translation>c’est un squelette ASF, qui ne contient pas de mouvement&#xa0;; le fichier .amc qui va avec était attendu.</translation>
     </message>
     <message>
         <source>The recording holds no skeleton.</source>
@@ -889,19 +889,19 @@
     </message>
     <message>
         <source>No joint has the role pelvis: actions cannot be compared.</source>
-        <translation>Aucune articulation n’a le rôle de bassin : les actions ne peuvent pas être comparées.</translation>
+        <translation>Aucune articulation n’a le rôle de bassin&#xa0;: les actions ne peuvent pas être comparées.</translation>
     </message>
     <message>
         <source>Nothing stands before &quot;or&quot;.</source>
-        <translation>Il n’y a rien avant « or ».</translation>
+        <translation>Il n’y a rien avant «&#xa0;or&#xa0;».</translation>
     </message>
     <message>
         <source>Nothing stands after &quot;or&quot;.</source>
-        <translation>Il n’y a rien après « or ».</translation>
+        <translation>Il n’y a rien après «&#xa0;or&#xa0;».</translation>
     </message>
     <message>
         <source>Something is missing after &quot;not&quot;.</source>
-        <translation>Il manque quelque chose après « not ».</translation>
+        <translation>Il manque quelque chose après «&#xa0;not&#xa0;».</translation>
     </message>
     <message>
         <source>Points to be aligned must come in pairs.</source>
@@ -953,7 +953,7 @@
     </message>
     <message>
         <source>A clip of %1 joints cannot be written with the %2 joints of another skeleton: retarget it first.</source>
-        <translation>Un clip de %1 articulations ne peut pas être écrit avec les %2 articulations d’un autre squelette : faites d’abord un retargeting.</translation>
+        <translation>Un clip de %1 articulations ne peut pas être écrit avec les %2 articulations d’un autre squelette&#xa0;: faites d’abord un retargeting.</translation>
     </message>
     <message>
         <source>Ways are scaled by %1 for the legs&apos; lengths.</source>
@@ -961,23 +961,23 @@
     </message>
     <message>
         <source>%1 moves by up to %2 cm of its own, which is not kept: %3 carries the body.</source>
-        <translation>%1 a un déplacement propre, jusqu’à %2 cm, qui n’est pas gardé : c’est %3 qui porte le corps.</translation>
+        <translation>%1 a un déplacement propre, jusqu’à %2&#xa0;cm, qui n’est pas gardé&#xa0;: c’est %3 qui porte le corps.</translation>
     </message>
     <message>
         <source>The bone to %1 changes by up to %2 cm; its mean is kept.</source>
-        <translation>La longueur de l’os menant à %1 varie, jusqu’à %2 cm ; sa moyenne est gardée.</translation>
+        <translation>La longueur de l’os menant à %1 varie, jusqu’à %2&#xa0;cm&#xa0;; sa moyenne est gardée.</translation>
     </message>
     <message>
         <source>No neck: the chest (%1) stands in for it.</source>
-        <translation>Pas de cou : la poitrine (%1) le remplace.</translation>
+        <translation>Pas de cou&#xa0;: la poitrine (%1) le remplace.</translation>
     </message>
     <message>
         <source>The joint names say nothing; the roles were read off the skeleton&apos;s shape. Check left and right.</source>
-        <translation>Les noms des articulations ne disent rien ; les rôles ont été lus d’après la forme du squelette. Vérifiez gauche et droite.</translation>
+        <translation>Les noms des articulations ne disent rien&#xa0;; les rôles ont été lus d’après la forme du squelette. Vérifiez gauche et droite.</translation>
     </message>
     <message>
         <source>This skeleton is not a human body that is known here: it is shown and measured, but the contact force needs joint roles. Name them by hand if it is one.</source>
-        <translation>Ce squelette n’est pas un corps humain connu ici : il est affiché et mesuré, mais la force de contact a besoin de rôles d’articulations. Si c’en est un, donnez-les à la main.</translation>
+        <translation>Ce squelette n’est pas un corps humain connu ici&#xa0;: il est affiché et mesuré, mais la force de contact a besoin de rôles d’articulations. Si c’en est un, donnez-les à la main.</translation>
     </message>
     <message>
         <source>A skeleton needs at least one joint.</source>
@@ -989,11 +989,11 @@
     </message>
     <message>
         <source>The body lies along the x axis; y was taken for up. Say which axis is up.</source>
-        <translation>Le corps est allongé le long de l’axe x ; y a été pris pour le haut. Dites quel axe est vertical.</translation>
+        <translation>Le corps est allongé le long de l’axe x&#xa0;; y a été pris pour le haut. Dites quel axe est vertical.</translation>
     </message>
     <message>
         <source>Without legs the unit cannot be found; centimetres are assumed.</source>
-        <translation>Sans jambes, l’unité est introuvable ; le centimètre est supposé.</translation>
+        <translation>Sans jambes, l’unité est introuvable&#xa0;; le centimètre est supposé.</translation>
     </message>
     <message>
         <source>The labels belong to another segmentation.</source>
@@ -1009,15 +1009,15 @@
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; move that one first.</source>
-        <translation>Le combattant %1 a une autre limite à l’image %2 ; déplacez d’abord celle-là.</translation>
+        <translation>Le combattant %1 a une autre limite à l’image %2&#xa0;; déplacez d’abord celle-là.</translation>
     </message>
     <message>
         <source>Frame %1 is not inside the take, whose last frame is %2: a boundary cannot stand there.</source>
-        <translation>L’image %1 n’est pas dans la prise, dont la dernière image est %2 : une limite ne peut pas s’y trouver.</translation>
+        <translation>L’image %1 n’est pas dans la prise, dont la dernière image est %2&#xa0;: une limite ne peut pas s’y trouver.</translation>
     </message>
     <message>
         <source>The boundary can move between its neighbours only: frames %1 to %2.</source>
-        <translation>La limite ne peut se déplacer qu’entre ses voisines : images %1 à %2.</translation>
+        <translation>La limite ne peut se déplacer qu’entre ses voisines&#xa0;: images %1 à %2.</translation>
     </message>
     <message>
         <source>The boundary at frame %1 is an end of the take, which stays.</source>
@@ -1025,7 +1025,7 @@
     </message>
     <message>
         <source>Take %1, player %2: its skeleton has other joints than that of the first take, so it is left out of bouts.</source>
-        <translation>Prise %1, combattant %2 : son squelette a d’autres articulations que celui de la première prise, il est donc exclu des combats.</translation>
+        <translation>Prise %1, combattant %2&#xa0;: son squelette a d’autres articulations que celui de la première prise, il est donc exclu des combats.</translation>
     </message>
     <message>
         <source>No action of player %1 begins in frames %2 to %3 of take %4.</source>
@@ -1041,7 +1041,7 @@
     </message>
     <message>
         <source>The folder %1 cannot be made: %2.</source>
-        <translation>Le dossier %1 ne peut pas être créé : %2.</translation>
+        <translation>Le dossier %1 ne peut pas être créé&#xa0;: %2.</translation>
     </message>
     <message>
         <source>The cutoff must be a positive number of Hz.</source>
@@ -1065,7 +1065,7 @@
     </message>
     <message>
         <source>There is one fighter only: nothing to swap.</source>
-        <translation>Il n’y a qu’un combattant : rien à échanger.</translation>
+        <translation>Il n’y a qu’un combattant&#xa0;: rien à échanger.</translation>
     </message>
     <message>
         <source>The skeleton has no such joint.</source>
@@ -1073,11 +1073,11 @@
     </message>
     <message>
         <source>%1 holds %2 frames, but the take reaches to frame %3: it is not the recording that is missing.</source>
-        <translation>%1 contient %2 images, mais la prise va jusqu’à l’image %3 : ce n’est pas l’enregistrement qui manque.</translation>
+        <translation>%1 contient %2 images, mais la prise va jusqu’à l’image %3&#xa0;: ce n’est pas l’enregistrement qui manque.</translation>
     </message>
     <message>
         <source>The placement cannot be written: neither the root nor a joint right below it has all position and rotation channels.</source>
-        <translation>La place ne peut pas être écrite : ni la racine ni une articulation juste en dessous n’a tous les canaux de position et de rotation.</translation>
+        <translation>La place ne peut pas être écrite&#xa0;: ni la racine ni une articulation juste en dessous n’a tous les canaux de position et de rotation.</translation>
     </message>
     <message>
         <source>A take is made of one or two recordings.</source>
@@ -1089,27 +1089,27 @@
     </message>
     <message>
         <source>A frame rate lies between 1 and 10000 Hz.</source>
-        <translation>Une cadence est comprise entre 1 et 10000 Hz.</translation>
+        <translation>Une cadence est comprise entre 1 et 10000&#xa0;Hz.</translation>
     </message>
     <message>
         <source>The recordings run at %1 and %2 Hz; each keeps its own rate.</source>
-        <translation>Les enregistrements sont à %1 et %2 Hz ; chacun garde sa cadence.</translation>
+        <translation>Les enregistrements sont à %1 et %2&#xa0;Hz&#xa0;; chacun garde sa cadence.</translation>
     </message>
     <message>
         <source>Take %1, player %2: no pelvis or no centre of mass is known, so its actions are left out.</source>
-        <translation>Prise %1, combattant %2 : pas de bassin ou de centre de masse connu, ses actions sont donc laissées de côté.</translation>
+        <translation>Prise %1, combattant %2&#xa0;: pas de bassin ou de centre de masse connu, ses actions sont donc laissées de côté.</translation>
     </message>
     <message>
         <source>Player %1: %2 of %3 actions have no label and are left out, with every transition that touches them.</source>
-        <translation>Combattant %1 : %2 actions sur %3 n’ont pas d’étiquette et sont laissées de côté, avec toutes les transitions qui y touchent.</translation>
+        <translation>Combattant %1&#xa0;: %2 actions sur %3 n’ont pas d’étiquette et sont laissées de côté, avec toutes les transitions qui y touchent.</translation>
     </message>
     <message>
         <source>No take of two has a recording of player %1 with the skeleton of the bout: it was removed since the bout was begun.</source>
-        <translation>Aucune prise à deux n’a d’enregistrement du combattant %1 avec le squelette du combat : il a été supprimé depuis le début du combat.</translation>
+        <translation>Aucune prise à deux n’a d’enregistrement du combattant %1 avec le squelette du combat&#xa0;: il a été supprimé depuis le début du combat.</translation>
     </message>
     <message>
         <source>An .eaf file holds one take: say which.</source>
-        <translation>Un fichier .eaf contient une seule prise : dites laquelle.</translation>
+        <translation>Un fichier .eaf contient une seule prise&#xa0;: dites laquelle.</translation>
     </message>
     <message>
         <source>is empty.</source>
@@ -1117,15 +1117,15 @@
     </message>
     <message>
         <source>has no column %1; a label table needs begin_s, end_s and label.</source>
-        <translation>n’a pas de colonne %1 ; un tableau d’étiquettes demande begin_s, end_s et label.</translation>
+        <translation>n’a pas de colonne %1&#xa0;; un tableau d’étiquettes demande begin_s, end_s et label.</translation>
     </message>
     <message>
         <source>holds no labels: it has neither &quot;kumite_labels&quot; nor &quot;players&quot;.</source>
-        <translation>ne contient pas d’étiquettes : il n’a ni &quot;kumite_labels&quot; ni &quot;players&quot;.</translation>
+        <translation>ne contient pas d’étiquettes&#xa0;: il n’a ni &quot;kumite_labels&quot; ni &quot;players&quot;.</translation>
     </message>
     <message>
         <source>There is no action %1; the fighter has %2.</source>
-        <translation>Il n’y a pas d’action %1 ; le combattant en a %2.</translation>
+        <translation>Il n’y a pas d’action %1&#xa0;; le combattant en a %2.</translation>
     </message>
     <message>
         <source>The vocabulary has no aspect %1.</source>
@@ -1149,15 +1149,15 @@
     </message>
     <message>
         <source>A library&apos;s rate lies between %1 and %2 Hz.</source>
-        <translation>La cadence d’une bibliothèque est comprise entre %1 et %2 Hz.</translation>
+        <translation>La cadence d’une bibliothèque est comprise entre %1 et %2&#xa0;Hz.</translation>
     </message>
     <message>
         <source>The library is empty: no source holds the motion of a body.</source>
-        <translation>La bibliothèque est vide : aucune source ne contient le mouvement d’un corps.</translation>
+        <translation>La bibliothèque est vide&#xa0;: aucune source ne contient le mouvement d’un corps.</translation>
     </message>
     <message>
         <source>The library has no clip &quot;%1&quot;; it has %2.</source>
-        <translation>La bibliothèque n’a pas de clip « %1 » ; elle a %2.</translation>
+        <translation>La bibliothèque n’a pas de clip «&#xa0;%1&#xa0;»&#xa0;; elle a %2.</translation>
     </message>
     <message>
         <source>None of these clips shows a hand or a foot that strikes.</source>
@@ -1165,31 +1165,31 @@
     </message>
     <message>
         <source>No strike of the %1 was found in &quot;%2&quot;.</source>
-        <translation>Aucune frappe de ce membre (%1) n’a été trouvée dans « %2 ».</translation>
+        <translation>Aucune frappe de ce membre (%1) n’a été trouvée dans «&#xa0;%2&#xa0;».</translation>
     </message>
     <message>
         <source>%1 was not where the project says; the same recording was found at %2.</source>
-        <translation>%1 n’était pas là où le dit le projet ; le même enregistrement a été trouvé ici : %2.</translation>
+        <translation>%1 n’était pas là où le dit le projet&#xa0;; le même enregistrement a été trouvé ici&#xa0;: %2.</translation>
     </message>
     <message>
         <source>%1 is there already: choose another name.</source>
-        <translation>%1 existe déjà : choisissez un autre nom.</translation>
+        <translation>%1 existe déjà&#xa0;: choisissez un autre nom.</translation>
     </message>
     <message>
         <source>is a recording; make a project of it with kumite new.</source>
-        <translation>est un enregistrement ; faites-en un projet avec kumite new.</translation>
+        <translation>est un enregistrement&#xa0;; faites-en un projet avec kumite new.</translation>
     </message>
     <message>
         <source>is not a Kumite project: it has no &quot;kumite&quot; version.</source>
-        <translation>n’est pas un projet Kumite : il n’a pas de version &quot;kumite&quot;.</translation>
+        <translation>n’est pas un projet Kumite&#xa0;: il n’a pas de version &quot;kumite&quot;.</translation>
     </message>
     <message>
         <source>was written by a newer Kumite (file version %1, this one reads up to %2); open it with that one.</source>
-        <translation>a été écrit par un Kumite plus récent (version de fichier %1, celui-ci lit jusqu’à %2) ; ouvrez-le avec ce dernier.</translation>
+        <translation>a été écrit par un Kumite plus récent (version de fichier %1, celui-ci lit jusqu’à %2)&#xa0;; ouvrez-le avec ce dernier.</translation>
     </message>
     <message>
         <source>No motion from key poses of %1: %2</source>
-        <translation>Pas de mouvement à partir de poses clés de %1 : %2</translation>
+        <translation>Pas de mouvement à partir de poses clés de %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>There is no clip to rate.</source>
@@ -1197,11 +1197,11 @@
     </message>
     <message>
         <source>Frame %1 is not inside the take: a boundary cannot stand there.</source>
-        <translation>L’image %1 n’est pas dans la prise : une limite ne peut pas s’y trouver.</translation>
+        <translation>L’image %1 n’est pas dans la prise&#xa0;: une limite ne peut pas s’y trouver.</translation>
     </message>
     <message>
         <source>Fighter %1 has another boundary at frame %2; forget this one.</source>
-        <translation>Le combattant %1 a une autre limite à l’image %2 ; oubliez celle-ci.</translation>
+        <translation>Le combattant %1 a une autre limite à l’image %2&#xa0;; oubliez celle-ci.</translation>
     </message>
     <message>
         <source>Fighter %1 has no action at frame %2.</source>
@@ -1213,7 +1213,7 @@
     </message>
     <message>
         <source>Player %1 has no labelled action that follows another labelled one: label more of it.</source>
-        <translation>Le combattant %1 n’a aucune action étiquetée qui en suive une autre étiquetée : étiquetez-en davantage.</translation>
+        <translation>Le combattant %1 n’a aucune action étiquetée qui en suive une autre étiquetée&#xa0;: étiquetez-en davantage.</translation>
     </message>
     <message>
         <source>The captured attack holds no action.</source>
@@ -1225,7 +1225,7 @@
     </message>
     <message>
         <source>The captured attack cannot be shown: its take is missing.</source>
-        <translation>L’attaque capturée ne peut pas être montrée : sa prise manque.</translation>
+        <translation>L’attaque capturée ne peut pas être montrée&#xa0;: sa prise manque.</translation>
     </message>
     <message>
         <source>Player %1 shows nothing but attacks outside of the captured one.</source>
@@ -1245,7 +1245,7 @@
     </message>
     <message>
         <source>Player %1 never shows &quot;%2&quot; after another labelled action.</source>
-        <translation>Le combattant %1 ne montre jamais « %2 » après une autre action étiquetée.</translation>
+        <translation>Le combattant %1 ne montre jamais «&#xa0;%2&#xa0;» après une autre action étiquetée.</translation>
     </message>
     <message>
         <source>A weight is 0 (never) or a positive factor.</source>
@@ -1269,15 +1269,15 @@
     </message>
     <message>
         <source>The block &quot;%1&quot; has no motion.</source>
-        <translation>Le bloc « %1 » n’a pas de mouvement.</translation>
+        <translation>Le bloc «&#xa0;%1&#xa0;» n’a pas de mouvement.</translation>
     </message>
     <message>
         <source>Frames %1:%2 cannot be taken from &quot;%3&quot;, which has %4.</source>
-        <translation>Les images %1:%2 ne peuvent pas être prises dans « %3 », qui en a %4.</translation>
+        <translation>Les images %1:%2 ne peuvent pas être prises dans «&#xa0;%3&#xa0;», qui en a %4.</translation>
     </message>
     <message>
         <source>The block &quot;%1&quot; has no frame.</source>
-        <translation>Le bloc « %1 » n’a aucune image.</translation>
+        <translation>Le bloc «&#xa0;%1&#xa0;» n’a aucune image.</translation>
     </message>
     <message>
         <source>The sequence has no block.</source>
@@ -1285,11 +1285,11 @@
     </message>
     <message>
         <source>There is no path in the graph between these two actions; choose a curve, or clips played backward.</source>
-        <translation>Le graphe n’a pas de chemin entre ces deux actions ; choisissez une courbe, ou des clips lus à l’envers.</translation>
+        <translation>Le graphe n’a pas de chemin entre ces deux actions&#xa0;; choisissez une courbe, ou des clips lus à l’envers.</translation>
     </message>
     <message>
         <source>There are %1 candidate paths, counted from 0: no path %2.</source>
-        <translation>Il y a %1 chemins possibles, comptés à partir de 0 : pas de chemin %2.</translation>
+        <translation>Il y a %1 chemins possibles, comptés à partir de 0&#xa0;: pas de chemin %2.</translation>
     </message>
     <message>
         <source>A transition needs motion on both sides.</source>
@@ -1297,7 +1297,7 @@
     </message>
     <message>
         <source>%1 (%2–%3 s, fighter %4): %5</source>
-        <translation>%1 (%2–%3 s, combattant %4) : %5</translation>
+        <translation>%1 (%2–%3&#xa0;s, combattant %4)&#xa0;: %5</translation>
     </message>
     <message>
         <source>at least one whole frame</source>
@@ -1377,15 +1377,7 @@
     </message>
     <message>
         <source>channel %1 of %2: Xposition, Yposition, Zposition, Xrotation, Yrotation or Zrotation</source>
-        <translation>canal %1 sur %2 : Xposition, Yposition, Zposition, Xrotation, Yrotation ou Zrotation</translation>
-    </message>
-    <message>
-        <source>Frame Time:</source>
-        <translation>Frame Time:</translation>
-    </message>
-    <message>
-        <source>Frames:</source>
-        <translation>Frames:</translation>
+        <translation>canal %1 sur %2&#xa0;: Xposition, Yposition, Zposition, Xrotation, Yrotation ou Zrotation</translation>
     </message>
     <message>
         <source>a finite number with a decimal point</source>
@@ -1413,11 +1405,11 @@
     </message>
     <message>
         <source>opponent&apos;s %1, closing only %2 m/s</source>
-        <translation>attaque adverse (%1), approche à %2 m/s seulement</translation>
+        <translation>attaque adverse (%1), approche à %2&#xa0;m/s seulement</translation>
     </message>
     <message>
         <source>opponent&apos;s %1, closing %2 m/s</source>
-        <translation>attaque adverse (%1), approche à %2 m/s</translation>
+        <translation>attaque adverse (%1), approche à %2&#xa0;m/s</translation>
     </message>
     <message>
         <source>%1 at the beginning, %2 at the end</source>
@@ -1437,11 +1429,11 @@
     </message>
     <message>
         <source>Relative to the legs the target&apos;s arms are %1 % longer: hands do not reach the same places.</source>
-        <translation>Par rapport aux jambes, les bras de la cible sont plus longs de %1 % : les mains n’atteignent pas les mêmes endroits.</translation>
+        <translation>Par rapport aux jambes, les bras de la cible sont plus longs de %1&#xa0;%&#xa0;: les mains n’atteignent pas les mêmes endroits.</translation>
     </message>
     <message>
         <source>Relative to the legs the target&apos;s arms are %1 % shorter: hands do not reach the same places.</source>
-        <translation>Par rapport aux jambes, les bras de la cible sont plus courts de %1 % : les mains n’atteignent pas les mêmes endroits.</translation>
+        <translation>Par rapport aux jambes, les bras de la cible sont plus courts de %1&#xa0;%&#xa0;: les mains n’atteignent pas les mêmes endroits.</translation>
     </message>
     <message>
         <source>line %1</source>
@@ -5443,10 +5435,6 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
         <translation>Classes et leurs touches</translation>
     </message>
     <message>
-        <source>and: adds the next class</source>
-        <translation>et&#xa0;: ajoute la classe suivante</translation>
-    </message>
-    <message>
         <source>For two strikes in one action: this, then a class of another lane</source>
         <translation>Pour deux frappes dans une action&#xa0;: ceci, puis une classe d’une autre piste</translation>
     </message>
@@ -5455,6 +5443,10 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
 Right click: paint with it over actions of the timeline</source>
         <translation>
 Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
+    </message>
+    <message>
+        <source>first, then two classes: both</source>
+        <translation>d’abord, puis deux classes : les deux</translation>
     </message>
 </context>
 <context>
@@ -6634,6 +6626,10 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
         <source>Removed take %1. %2 brings it back.</source>
         <translation>Prise %1 supprimée. %2 la ramène.</translation>
     </message>
+    <message>
+        <source>leave the field or button</source>
+        <translation>quitter le champ ou le bouton</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MatrixPage</name>
@@ -7558,10 +7554,6 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
         <translation>, </translation>
     </message>
     <message>
-        <source>The next ones are those of which the machine is least sure.</source>
-        <translation>Les suivantes sont celles dont la machine est le moins sûre.</translation>
-    </message>
-    <message>
         <source>Accept %1 guesses</source>
         <translation>Accepter %1 suppositions</translation>
     </message>
@@ -7575,6 +7567,10 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
             <numerusform>%n minimum est encore suspect. Une demi-action s’étiquette mal : corrigez d’abord dans Découpage, ou continuez avec N.</numerusform>
             <numerusform>%n minima sont encore suspects. Une demi-action s’étiquette mal : corrigez d’abord dans Découpage, ou continuez avec N.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
+        <translation>Continuez : les suivantes en apprennent le plus à la machine. Ou acceptez le reste sûr : N mène alors aux moins sûres.</translation>
     </message>
 </context>
 <context>

@@ -1380,14 +1380,6 @@
         <translation>%2個中%1番目のチャンネル: Xposition、Yposition、Zposition、Xrotation、Yrotation、Zrotationのいずれか</translation>
     </message>
     <message>
-        <source>Frame Time:</source>
-        <translation>Frame Time:</translation>
-    </message>
-    <message>
-        <source>Frames:</source>
-        <translation>Frames:</translation>
-    </message>
-    <message>
         <source>a finite number with a decimal point</source>
         <translation>小数点を使った有限の数</translation>
     </message>
@@ -5443,10 +5435,6 @@ Undone. Click to redo up to here.</source>
         <translation>クラスとキー</translation>
     </message>
     <message>
-        <source>and: adds the next class</source>
-        <translation>と: 次のクラスを加える</translation>
-    </message>
-    <message>
         <source>For two strikes in one action: this, then a class of another lane</source>
         <translation>1つの動作に打撃が2つあるとき: これを押してから別のレーンのクラス</translation>
     </message>
@@ -5455,6 +5443,10 @@ Undone. Click to redo up to here.</source>
 Right click: paint with it over actions of the timeline</source>
         <translation>
 右クリック: タイムラインの動作に塗る</translation>
+    </message>
+    <message>
+        <source>first, then two classes: both</source>
+        <translation>を押してから2つのクラス：両方</translation>
     </message>
 </context>
 <context>
@@ -6632,6 +6624,10 @@ Right click: paint with it over actions of the timeline</source>
         <source>Removed take %1. %2 brings it back.</source>
         <translation>テイク%1を削除しました。%2で元に戻せます。</translation>
     </message>
+    <message>
+        <source>leave the field or button</source>
+        <translation>欄やボタンから離れる</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MatrixPage</name>
@@ -7555,10 +7551,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>, </translation>
     </message>
     <message>
-        <source>The next ones are those of which the machine is least sure.</source>
-        <translation>次は、機械が最も不確かなものです。</translation>
-    </message>
-    <message>
         <source>Accept %1 guesses</source>
         <translation>推測 %1 件を承認</translation>
     </message>
@@ -7571,6 +7563,10 @@ Right click: paint with it over actions of the timeline</source>
         <translation>
             <numerusform>疑わしい極小が %n 個残っています。半端な動作はラベルを付けにくいので、先に分割で直すか、N で進みます。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
+        <translation>続けましょう。次の質問は機械に最も役立ちます。または確実な残りを承認すると、N で最も自信のないものに進めます。</translation>
     </message>
 </context>
 <context>

@@ -1380,14 +1380,6 @@
         <translation>채널 %1(모두 %2개): Xposition, Yposition, Zposition, Xrotation, Yrotation 또는 Zrotation</translation>
     </message>
     <message>
-        <source>Frame Time:</source>
-        <translation>Frame Time:</translation>
-    </message>
-    <message>
-        <source>Frames:</source>
-        <translation>Frames:</translation>
-    </message>
-    <message>
         <source>a finite number with a decimal point</source>
         <translation>소수점을 쓴 유한한 수</translation>
     </message>
@@ -5443,10 +5435,6 @@ Undone. Click to redo up to here.</source>
         <translation>클래스와 단축키</translation>
     </message>
     <message>
-        <source>and: adds the next class</source>
-        <translation>및: 다음 클래스를 더함</translation>
-    </message>
-    <message>
         <source>For two strikes in one action: this, then a class of another lane</source>
         <translation>한 동작에 타격이 둘일 때: 이것을 누른 다음 다른 레인의 클래스</translation>
     </message>
@@ -5455,6 +5443,10 @@ Undone. Click to redo up to here.</source>
 Right click: paint with it over actions of the timeline</source>
         <translation>
 오른쪽 클릭: 타임라인의 동작 위에 칠하기</translation>
+    </message>
+    <message>
+        <source>first, then two classes: both</source>
+        <translation>먼저, 그다음 두 클래스: 둘 다</translation>
     </message>
 </context>
 <context>
@@ -6632,6 +6624,10 @@ Right click: paint with it over actions of the timeline</source>
         <source>Removed take %1. %2 brings it back.</source>
         <translation>테이크 %1을(를) 제거했습니다. %2(으)로 되돌립니다.</translation>
     </message>
+    <message>
+        <source>leave the field or button</source>
+        <translation>입력란이나 버튼에서 나가기</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MatrixPage</name>
@@ -7555,10 +7551,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>, </translation>
     </message>
     <message>
-        <source>The next ones are those of which the machine is least sure.</source>
-        <translation>다음은 학습기의 확신이 가장 낮은 것들입니다.</translation>
-    </message>
-    <message>
         <source>Accept %1 guesses</source>
         <translation>추측 %1개 수락</translation>
     </message>
@@ -7571,6 +7563,10 @@ Right click: paint with it over actions of the timeline</source>
         <translation>
             <numerusform>의심스러운 극소점이 %n개 남아 있습니다. 반쪽 동작은 레이블을 붙이기 어렵습니다. 먼저 분할에서 고치거나 N으로 계속하세요.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
+        <translation>계속하세요. 다음 질문이 학습기에 가장 도움이 됩니다. 또는 확실한 나머지를 수락하면 N이 가장 불확실한 것으로 안내합니다.</translation>
     </message>
 </context>
 <context>

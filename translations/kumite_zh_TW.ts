@@ -1380,14 +1380,6 @@
         <translation>%2 的通道 %1：Xposition、Yposition、Zposition、Xrotation、Yrotation 或 Zrotation</translation>
     </message>
     <message>
-        <source>Frame Time:</source>
-        <translation>Frame Time:</translation>
-    </message>
-    <message>
-        <source>Frames:</source>
-        <translation>Frames:</translation>
-    </message>
-    <message>
         <source>a finite number with a decimal point</source>
         <translation>以小數點表示的有限數值</translation>
     </message>
@@ -5443,10 +5435,6 @@ Undone. Click to redo up to here.</source>
         <translation>類別及其按鍵</translation>
     </message>
     <message>
-        <source>and: adds the next class</source>
-        <translation>且：再加上下一個類別</translation>
-    </message>
-    <message>
         <source>For two strikes in one action: this, then a class of another lane</source>
         <translation>一個動作含兩次打擊時：按這個，再按另一軌的類別</translation>
     </message>
@@ -5455,6 +5443,10 @@ Undone. Click to redo up to here.</source>
 Right click: paint with it over actions of the timeline</source>
         <translation>
 按右鍵：在時間軸的動作上塗抹此類別</translation>
+    </message>
+    <message>
+        <source>first, then two classes: both</source>
+        <translation>先按，再按兩個類別：兩者並列</translation>
     </message>
 </context>
 <context>
@@ -6632,6 +6624,10 @@ Right click: paint with it over actions of the timeline</source>
         <source>Removed take %1. %2 brings it back.</source>
         <translation>已移除鏡次 %1。%2 可還原。</translation>
     </message>
+    <message>
+        <source>leave the field or button</source>
+        <translation>離開欄位或按鈕</translation>
+    </message>
 </context>
 <context>
     <name>kumite::studio::MatrixPage</name>
@@ -7555,10 +7551,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>、 </translation>
     </message>
     <message>
-        <source>The next ones are those of which the machine is least sure.</source>
-        <translation>接下來是機器最沒把握的。</translation>
-    </message>
-    <message>
         <source>Accept %1 guesses</source>
         <translation>接受 %1 個猜測</translation>
     </message>
@@ -7571,6 +7563,10 @@ Right click: paint with it over actions of the timeline</source>
         <translation>
             <numerusform>還有 %n 個可疑的極小點。半個動作難以標記：請先到分段修正，或按 N 繼續。</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
+        <translation>繼續：接下來的問題對機器最有幫助。或接受其餘有把握的：之後按 N 會帶到最沒把握的。</translation>
     </message>
 </context>
 <context>

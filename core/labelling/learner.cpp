@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
@@ -11,6 +12,7 @@
 #include "core/base/files.h"
 #include "core/labelling/distances.h"
 #include "core/labelling/learning_task.h"
+#include "core/labelling/reliability.h"
 
 namespace kumite {
 namespace {
@@ -29,6 +31,13 @@ std::vector<int> rowsOf(const std::vector<Example>& examples) {
     for (const Example& example : examples)
         rows.push_back(example.row);
     return rows;
+}
+
+Label answerOf(const Predictions& predictions, int row) {
+    Label label;
+    for (int aspect = 0; aspect < predictions.aspects; ++aspect)
+        label.push_back(predictions.at(row, aspect).qualifier);
+    return label;
 }
 
 FeatureMatrix withMirrors(const FeatureMatrix& rows) {
@@ -266,11 +275,11 @@ Predictions TrainingSet::predict(const ParameterSet& parameters, bool probabilit
     return predictions;
 }
 
-std::vector<Label> TrainingSet::crossValidate(const ParameterSet& parameters,
-                                              const Progress& progress) const {
+Predictions TrainingSet::unseen(const ParameterSet& parameters, const Progress& progress) const {
     const Data& data = *data_;
-    std::vector<Label> result(data.examples.size(),
-                              Label(data.vocabulary.aspects.size(), kUnknown));
+    const std::size_t aspects = data.vocabulary.aspects.size();
+    Predictions result{static_cast<int>(aspects), {}};
+    result.values.resize(data.examples.size() * aspects);
     if (data.examples.size() < 2) return result;
     std::map<Label, int> names;
     std::vector<int> classes;
@@ -281,44 +290,72 @@ std::vector<Label> TrainingSet::crossValidate(const ParameterSet& parameters,
     const std::vector<int> folds =
         stratifiedFolds(classes, data.settings.folds, data.settings.seed);
     KernelCache kernels(data.among);
-    const auto aspects = data.vocabulary.aspects.size();
     for (int fold = 0; fold < data.settings.folds; ++fold) {
         progress.update(static_cast<double>(fold) / data.settings.folds);
         std::vector<bool> training(data.examples.size());
         for (std::size_t i = 0; i < training.size(); ++i)
             training[i] = folds[i] != fold;
-        std::vector<std::vector<Prediction>> answers(data.examples.size(),
-                                                     std::vector<Prediction>(aspects));
         for (const LearningTask& task : data.tasks) {
             const TaskMachine machine(task, data.rowsFor(task, training), kernels,
                                       Data::parametersOf(task, parameters), false,
                                       data.settings.seed);
-            for (std::size_t i = 0; i < answers.size(); ++i) {
+            for (std::size_t i = 0; i < training.size(); ++i) {
                 if (training[i]) continue;
                 const auto row = data.among.row(static_cast<Eigen::Index>(i));
-                machine.answer({row.data(), data.rowCount()}, answers[i].data());
+                machine.answer({row.data(), data.rowCount()}, &result.at(static_cast<int>(i), 0));
             }
         }
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            if (training[i]) continue;
-            resolveConflicts(data.vocabulary, answers[i].data());
-            for (std::size_t a = 0; a < aspects; ++a)
-                result[i][a] = answers[i][a].qualifier;
-        }
     }
+    for (std::size_t i = 0; i < data.examples.size(); ++i)
+        resolveConflicts(data.vocabulary, &result.at(static_cast<int>(i), 0));
     progress.update(1.0);
     return result;
 }
 
-double TrainingSet::expectedAccuracy(const ParameterSet& parameters,
+std::vector<Label> TrainingSet::crossValidate(const ParameterSet& parameters,
+                                              const Progress& progress) const {
+    const Predictions predictions = unseen(parameters, progress);
+    std::vector<Label> result;
+    for (int i = 0; i < static_cast<int>(data_->examples.size()); ++i)
+        result.push_back(answerOf(predictions, i));
+    return result;
+}
+
+double TrainingSet::expectedAccuracy(const ParameterSet& parameters, const Predictions& predictions,
                                      const Progress& progress) const {
     const std::vector<Example>& examples = data_->examples;
     if (examples.size() < 2) return 0;
-    const std::vector<Label> answers = crossValidate(parameters, progress);
+    const Predictions answers = unseen(parameters, progress);
+    std::vector<JudgedAnswer> judged;
+    std::vector<bool> byHand(predictions.values.size() / data_->vocabulary.aspects.size());
     int right = 0;
-    for (std::size_t i = 0; i < examples.size(); ++i)
-        right += learntAspectsMatch(data_->vocabulary, examples[i].label, answers[i]);
-    return static_cast<double>(right) / static_cast<double>(examples.size());
+    for (std::size_t i = 0; i < examples.size(); ++i) {
+        const auto row = static_cast<int>(i);
+        const bool isRight =
+            learntAspectsMatch(data_->vocabulary, examples[i].label, answerOf(answers, row));
+        judged.push_back({smallestMargin(answers, row), isRight});
+        right += isRight;
+        byHand[static_cast<std::size_t>(examples[i].row)] = true;
+    }
+    const Reliability reliability(judged);
+    double sum = 0;
+    int rest = 0;
+    for (std::size_t row = 0; row < byHand.size(); ++row) {
+        if (byHand[row]) continue;
+        sum += reliability.at(smallestMargin(predictions, static_cast<int>(row)));
+        ++rest;
+    }
+    return rest > 0 ? sum / rest
+                    : static_cast<double>(right) / static_cast<double>(examples.size());
+}
+
+double smallestMargin(const Predictions& predictions, int row) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int aspect = 0; aspect < predictions.aspects; ++aspect) {
+        const Prediction& prediction = predictions.at(row, aspect);
+        if (!prediction.blind) smallest = std::min(smallest, prediction.margin);
+    }
+    return smallest;
 }
 
 bool learntAspectsMatch(const Vocabulary& vocabulary, const Label& truth, const Label& answer) {

@@ -47,6 +47,9 @@ struct Predictions {
     }
 };
 
+/// The smallest margin of a row over the aspects that were learnt.
+double smallestMargin(const Predictions& predictions, int row);
+
 /// The examples in standardised form with their distances, shared by every aspect, every fold and
 /// every C and γ: what makes a round quick. Refers to the vocabulary and the features.
 class TrainingSet {
@@ -74,11 +77,18 @@ public:
     std::vector<Label> crossValidate(const ParameterSet& parameters,
                                      const Progress& progress = {}) const;
 
-    /// Share of examples whose learnt aspects would all have been found right by a machine that
-    /// had not seen them: stratified cross-validation. 0 with fewer than two examples.
-    double expectedAccuracy(const ParameterSet& parameters, const Progress& progress = {}) const;
+    /// Share of the rows that no hand labelled whose learnt aspects should all be right. Stratified
+    /// cross-validation tells how often answers are right at a margin (`Reliability`); the
+    /// `predictions` for these rows are taken to be right as often as those at their margins. The
+    /// examples alone would say too little: they were asked for because they are hard. With no such
+    /// row the share of the examples; 0 with fewer than two.
+    double expectedAccuracy(const ParameterSet& parameters, const Predictions& predictions,
+                            const Progress& progress = {}) const;
 
 private:
+    /// What machines that had not seen them say of the examples, one row each.
+    Predictions unseen(const ParameterSet& parameters, const Progress& progress) const;
+
     struct Data;
     std::unique_ptr<Data> data_;
 };

@@ -16,9 +16,8 @@ constexpr int kCandidatesPerPlace = 4;
 
 constexpr std::size_t kMostReferences = 1000;
 
-/// Before this many rounds a cross-validation says little.
-constexpr std::size_t kFewestRounds = 20;
-/// One round's cross-validation trembles by some percent; means over so many rounds do not.
+/// One round's cross-validation trembles by some percent and before this many says little; means
+/// over so many rounds do not.
 constexpr std::size_t kRoundsTogether = 10;
 constexpr double kGain = 0.01;
 
@@ -128,15 +127,6 @@ std::vector<int> QueryQueue::next(const std::vector<bool>& answered,
     return batch;
 }
 
-double smallestMargin(const Predictions& predictions, int row) {
-    double smallest = kFar;
-    for (int aspect = 0; aspect < predictions.aspects; ++aspect) {
-        const Prediction& prediction = predictions.at(row, aspect);
-        if (!prediction.blind) smallest = std::min(smallest, prediction.margin);
-    }
-    return smallest;
-}
-
 std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std::uint32_t seed) {
     std::vector<int> open;
     for (std::size_t i = 0; i < answered.size(); ++i) {
@@ -151,9 +141,10 @@ std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std
 }
 
 bool mayStop(std::span<const double> expected, double target) {
-    if (expected.size() < kFewestRounds) return false;
+    if (expected.size() < kRoundsTogether) return false;
     const auto last = expected.last(kRoundsTogether);
     if (meanOf(last.last(kRoundsTogether / 2)) >= target) return true;
+    if (expected.size() < 2 * kRoundsTogether) return false;
     const auto before = expected.last(2 * kRoundsTogether).first(kRoundsTogether);
     return meanOf(last) - meanOf(before) < kGain;
 }

@@ -45,15 +45,12 @@ private:
     QuerySettings settings_;
 };
 
-/// The smallest margin of a row over the aspects that are not blind; infinity if all are.
-double smallestMargin(const Predictions& predictions, int row);
-
 /// The baseline: `count` rows drawn from those not answered yet.
 std::vector<int> randomQueries(const std::vector<bool>& answered, int count, std::uint32_t seed);
 
 /// Whether labelling more by hand will hardly help: the expected accuracy of the last five rounds
-/// has reached `target` in the mean, or the last ten rounds brought less than one percent over the
-/// ten before. Never before the twentieth round. `expected`: one per round.
-bool mayStop(std::span<const double> expected, double target = 0.97);
+/// has reached `target` in the mean, from the tenth round on; or the last ten rounds brought less
+/// than one percent over the ten before. `expected`: one per round.
+bool mayStop(std::span<const double> expected, double target = 0.95);
 
 }  // namespace kumite

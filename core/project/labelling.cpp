@@ -305,10 +305,10 @@ AutoLabels labelAutomatically(const Project& project, const Analysis& analysis,
         result.model.parameters = set.searchParameters(progress.part(0.05, 0.6));
         result.model.trainingHash = hashWith(result.model.parameters);
     }
-    result.expectedAccuracy =
-        set.expectedAccuracy(result.model.parameters, progress.part(0.6, 0.7));
     const Predictions predictions =
-        set.predict(result.model.parameters, true, progress.part(0.7, 1.0));
+        set.predict(result.model.parameters, true, progress.part(0.6, 0.9));
+    result.expectedAccuracy =
+        set.expectedAccuracy(result.model.parameters, predictions, progress.part(0.9, 1.0));
     result.proposals = propose(project, analysis, table, predictions);
     return result;
 }

@@ -57,7 +57,7 @@ struct AutoLabels {
     Proposals proposals;
     ModelRecord model;
     int examples = 0;
-    double expectedAccuracy = 0;  ///< of the learnt aspects, by cross-validation
+    double expectedAccuracy = 0;  ///< of the learnt aspects where no hand spoke
 };
 AutoLabels labelAutomatically(const Project& project, const Analysis& analysis,
                               const Progress& progress = {});

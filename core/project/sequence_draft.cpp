@@ -68,9 +68,9 @@ std::shared_ptr<const LibraryMotion> strikeOf(const MotionLibrary& library, cons
         strikeAt(library, actionNamed(library, name.substr(0, name.rfind('@'))), target);
     if (!block.hit.hits) {
         const Eigen::Vector3d& near = block.hit.reached;
-        throw Error(fmt::format(
-            "\"{}\" cannot be reached: the nearest target that can is {:.2f},{:.2f},{:.2f}.", name,
-            near.x(), near.y(), near.z()));
+        throw Error(fmt::format("\"{}\" cannot be reached: the nearest target that can is {}.",
+                                name,
+                                fmt::format("{:.2f},{:.2f},{:.2f}", near.x(), near.y(), near.z())));
     }
     block.motion.name = name;
     return std::make_shared<const LibraryMotion>(std::move(block.motion));

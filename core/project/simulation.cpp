@@ -120,7 +120,7 @@ public:
                 searchedAt_ = now;
             }
             predictions = set.predict(result.model.parameters, false);
-            expected.push_back(set.expectedAccuracy(result.model.parameters));
+            expected.push_back(set.expectedAccuracy(result.model.parameters, *predictions));
             result.scores = judgeRest(*predictions);
             result.curve.push_back({static_cast<int>(examples_.size()), expected.back(),
                                     result.scores.limbAccuracy, result.scores.labelAccuracy});

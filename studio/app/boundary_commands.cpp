@@ -48,7 +48,7 @@ void MainWindow::addBoundaryCommand(const char* id, const QString& text,
                                     const QList<QKeySequence>& keys, std::function<void()> run,
                                     bool newGroup, const QList<QWidget*>& scopes) {
     const QString segment = tr("&Segment");
-    commands_->add({id,
+    Command command{id,
                     newGroup ? QLatin1Char('-') + segment : segment,
                     text,
                     keys,
@@ -56,7 +56,9 @@ void MainWindow::addBoundaryCommand(const char* id, const QString& text,
                     [this] { return hasTake(); },
                     {},
                     {},
-                    scopes});
+                    scopes};
+    command.leadsOn = true;
+    commands_->add(std::move(command));
 }
 
 void MainWindow::addBoundaryCommands() {

@@ -32,6 +32,9 @@ struct Command {
     /// Ids of the workspaces that it belongs to, separated by blanks; empty: to all.
     QString workspace = {};
     bool repeats = true;  ///< runs again and again while its key is held down
+    /// Leads on in the job of its workspace: the keys that follow are meant for the views, whatever
+    /// control had the focus.
+    bool leadsOn = false;
 
     /// Whether it is offered in a workspace.
     bool isOf(const QString& id) const;

@@ -39,6 +39,7 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
         command.scopes = scopes;
         // An answer is for one question; held down, a key would answer the next ones unseen.
         command.repeats = false;
+        command.leadsOn = true;
         commands_->add(std::move(command));
     };
     // Return and Backspace are keys of fields and buttons, too.
@@ -80,6 +81,7 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
                         {QKeySequence(QLatin1String(key))},
                         [review, direction] { review->stepLane(direction); },
                         has};
+        command.leadsOn = true;
         commands_->add(std::move(command));
     };
     lane("label.laneUp", tr("Lane abo&ve"), "Up", -1, true);
@@ -116,6 +118,7 @@ void MainWindow::addLabelCommands(LabelPanel& panel) {
         command.shown = [this, index] { return index < quickLabels(labels_->vocabulary()).size(); };
         command.enabled = [this, shown = command.shown] { return hasTake() && shown(); };
         command.repeats = false;
+        command.leadsOn = true;
         commands_->add(std::move(command));
     }
     showLabelKeys();

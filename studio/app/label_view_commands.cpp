@@ -32,8 +32,10 @@ void MainWindow::addLabelViewCommands(LabelViews& views) {
     };
     const auto page = [&](const char* id, const QString& text, const QKeySequence& key,
                           LabelViews::Page which, bool newGroup = false) {
-        add(
-            id, text, {key}, [&views, which] { views.setPage(which); }, newGroup);
+        Command command{id,    newGroup ? QLatin1Char('-') + menu : menu, text,
+                        {key}, [&views, which] { views.setPage(which); }, has};
+        command.leadsOn = which == LabelViews::LabelPage;
+        commands_->add(std::move(command));
     };
     page("label.page.label", tr("Show pal&ette and questions"), QKeySequence("F4"),
          LabelViews::LabelPage, true);

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPointer>
@@ -115,6 +116,8 @@ MainWindow::MainWindow(QWidget* parent)
 
 MainWindow::~MainWindow() {
     qApp->removeEventFilter(this);
+    // The focus moves while what it moves through is destroyed.
+    disconnect(qApp, nullptr, this, nullptr);
     // The views listen to the session, which is destroyed before them.
     delete takeCentralWidget();
 }
@@ -122,6 +125,7 @@ MainWindow::~MainWindow() {
 /// Nothing is shown any more that has the focus: Qt hands it to whatever control comes next, which
 /// then takes the keys that are meant for commands.
 void MainWindow::focusMoved(QWidget* from, QWidget* to) {
+    showKeysHint();
     if (from == nullptr || to == nullptr || from->isVisible() || !isAncestorOf(from) ||
         !isAncestorOf(to) || to->window() != this || !stage_->isVisible())
         return;
@@ -222,7 +226,12 @@ void MainWindow::listen() {
     connect(&session_, &Session::hinted, status_, &StatusLine::say);
     connect(files_, &FileActions::reported, status_, &StatusLine::say);
     // What was said before belongs to what was done before.
-    connect(commands_, &CommandTable::running, status_, [this] { status_->say({}); });
+    connect(commands_, &CommandTable::running, status_, [this](const QString& id) {
+        status_->say({});
+        if (!commands_->find(id)->leadsOn) return;
+        // Menus hand the focus back only after the command.
+        QTimer::singleShot(0, this, &MainWindow::leaveControl);
+    });
     connect(&session_, &Session::takeChanged, status_, [this] { status_->say({}); });
     connect(stage_, &StageView::switchesChanged, this, &MainWindow::showKeysHint);
     connect(files_, &FileActions::opened, this, [this](const QStringList& files) {
@@ -305,6 +314,29 @@ void MainWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && commands_ != nullptr) refreshIcons();
 }
 
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && isInControl()) return leaveControl();
+    const Command* tour = commands_->find(QStringLiteral("help.tour.leave"));
+    if (event->key() == Qt::Key_Escape && tour != nullptr && commands_->isEnabled(*tour))
+        return commands_->run(tour->id);
+    QMainWindow::keyPressEvent(event);
+}
+
+/// Whether keys that are meant for the views may be taken by something beside them, such as a
+/// button.
+bool MainWindow::isInControl() const {
+    const QWidget* focused = QApplication::focusWidget();
+    if (focused == nullptr || focused->window() != this || !columns_->isVisible()) return false;
+    return !stage_->isAncestorOf(focused) && focused != stage_ &&
+           !timeline_->isAncestorOf(focused) && focused != timeline_ &&
+           !centres_->isAncestorOf(focused);
+}
+
+void MainWindow::leaveControl() {
+    if (!isInControl()) return;
+    (timeline_->isVisible() ? static_cast<QWidget*>(timeline_) : stage_)->setFocus();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (!files_->mayLeave()) {
         event->ignore();
@@ -354,9 +386,20 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     if (event->type() == QEvent::KeyPress &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && isInMenuBar(watched)) {
+        leaveControl();  // the bar would keep the key, and itself in force
+        return true;
+    }
+    if (event->type() == QEvent::KeyPress &&
         pressesButton(watched, *static_cast<QKeyEvent*>(event)))
         return true;
     return QMainWindow::eventFilter(watched, event);
+}
+
+bool MainWindow::isInMenuBar(const QObject* watched) const {
+    const auto* widget = qobject_cast<const QWidget*>(watched);
+    return widget != nullptr && (widget == menuBar() || menuBar()->isAncestorOf(widget)) &&
+           QApplication::activePopupWidget() == nullptr && isInControl();
 }
 
 bool MainWindow::isOfTheViews(const QWidget& focused, const QKeyEvent& key) const {

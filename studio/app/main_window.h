@@ -98,6 +98,7 @@ public:
 
 protected:
     void closeEvent(QCloseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -142,8 +143,11 @@ private:
     QStringList keysHint() const;
     void takeOverLabels();
     void focusMoved(QWidget* from, QWidget* to);
+    bool isInControl() const;
+    void leaveControl();
     /// Whether a key belongs to commands of the views, and the focus is elsewhere: the top bar, of
     /// which Qt thinks that what its menus hold works everywhere in it.
+    bool isInMenuBar(const QObject* watched) const;
     bool isOfTheViews(const QWidget& focused, const QKeyEvent& key) const;
     bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();

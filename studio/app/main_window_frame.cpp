@@ -1,7 +1,7 @@
 // What belongs to the window as a whole: workspaces, layout, preferences and the pages beside it.
 
 #include <QAction>
-#include <QCoreApplication>
+#include <QApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
@@ -14,6 +14,8 @@
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 #include "studio/app/comfort.h"
 #include "studio/app/commands.h"
@@ -227,13 +229,23 @@ QStringList MainWindow::keysHint() const {
         {{"help.open"}, tr("help"), !measuring},
     };
     QStringList parts;
+    const QWidget* focused = QApplication::focusWidget();
+    const auto isElsewhere = [focused](const Command& command) {
+        return !command.scopes.isEmpty() &&
+               std::none_of(command.scopes.begin(), command.scopes.end(), [&](QWidget* scope) {
+                   return scope == focused || scope->isAncestorOf(focused);
+               });
+    };
+    if (isInControl())
+        parts.append(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText) +
+                     QLatin1Char(' ') + tr("leave the field or button"));
     for (const Entry& entry : entries) {
         if (!entry.holds) continue;
         QStringList keys;
         for (const QString& id : entry.commands) {
             const Command* command = commands_->find(id);
             if (command == nullptr || command->keys.isEmpty()) continue;
-            if (!commands_->action(id)->isVisible()) continue;
+            if (!commands_->action(id)->isVisible() || isElsewhere(*command)) continue;
             QString key = command->keys.front().toString(QKeySequence::NativeText);
             key.replace(QStringLiteral("Left"), QStringLiteral("←"));
             key.replace(QStringLiteral("Right"), QStringLiteral("→"));

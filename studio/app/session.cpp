@@ -213,6 +213,11 @@ void Session::examine(const BoundaryRef& boundary) {
     const double length = std::min(kNear, visible_.end - visible_.begin);
     const double middle = transport_.playhead();
     setVisible({middle - length / 2, middle + length / 2});
+    // What plays shows how one action becomes the next.
+    constexpr double kAround = 0.8;  // seconds
+    transport_.setLoop(std::max(transport_.span().begin, middle - kAround),
+                       std::min(transport_.span().end, middle + kAround));
+    transport_.setLooping(true);
 }
 
 void Session::setVisible(TimeSpan span) {

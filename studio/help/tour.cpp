@@ -2,7 +2,6 @@
 
 #include <QFrame>
 #include <QPushButton>
-#include <QSettings>
 
 #include <algorithm>
 
@@ -15,7 +14,6 @@
 #include "studio/app/file_actions.h"
 #include "studio/app/main_window.h"
 #include "studio/app/message_strip.h"
-#include "studio/app/questions.h"
 #include "studio/app/workspaces.h"
 #include "studio/help/tour_box.h"
 #include "studio/workspaces/bout/bout_bar.h"
@@ -31,7 +29,6 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr const char* kShown = "tour/shown";
 constexpr int kGap = 10;    ///< between the box and what it points at
 constexpr int kBelow = 44;  ///< room for the buttons of a view beside which it stands
 
@@ -160,8 +157,7 @@ void Tour::listen() {
     Document& document = window_.session().document();
     connect(&document, &Document::changed, this, &Tour::check);
     connect(&document, &Document::opened, this, [this] {
-        const bool first = isAttended() && !QSettings().value(QLatin1String(kShown)).toBool();
-        const bool now = showsDemo() && (wanted_ || first);
+        const bool now = showsDemo() && wanted_;
         wanted_ = false;
         if (isRunning()) leave();
         if (now) QTimer::singleShot(0, this, &Tour::begin);
@@ -193,7 +189,6 @@ void Tour::start() {
 }
 
 void Tour::begin() {
-    QSettings().setValue(QLatin1String(kShown), true);
     done_.assign(steps_.size(), false);
     if (box_ == nullptr) {
         mark_ = new QFrame(&window_);
@@ -233,6 +228,7 @@ void Tour::go(int direction) {
 void Tour::show(int step) {
     const TourStep& shown = steps_[static_cast<std::size_t>(step)];
     window_.workspaces().show(shown.workspace);
+    mark_->raise();
     box_->show(shown, step + 1, static_cast<int>(steps_.size()));
     box_->setDone(isDone(step));
     window_.commands().refresh();
@@ -258,10 +254,8 @@ void Tour::place() {
     if (seen) {
         at = QRect(target->mapTo(&window_, QPoint()), target->size());
         mark_->setGeometry(at);
-        mark_->raise();
     }
     box_->move(placeBeside(at, box_->size(), room));
-    box_->raise();
 }
 
 /// Every third label of the demo bout's truth; what a hand said stays.

@@ -31,7 +31,7 @@ struct TourStep {
 
 /// Five steps of the real job on the demo bout, in a box that lets the window go on: a suspect, a
 /// label, what the machine proposes, the graph, a bout. Each step notes when it was done; nobody
-/// has to. Shows itself once, with the first demo bout that somebody opens.
+/// has to.
 class Tour : public QObject {
     Q_OBJECT
 

@@ -74,6 +74,7 @@ void TourBox::setDone(bool done) {
     next_->setProperty("role", done ? "step" : "");
     next_->style()->unpolish(next_);
     next_->style()->polish(next_);
+    next_->setMinimumWidth(next_->sizeHint().width());
     // The text wraps: its height follows from the width.
     setFixedHeight(layout()->heightForWidth(width()));
 }

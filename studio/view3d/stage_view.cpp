@@ -275,7 +275,7 @@ void StageView::frameFighters(double begin, double end) {
         between.y() = 0;
         Eigen::Vector3d ahead = scene_->camera.forward();
         ahead.y() = 0;
-        constexpr double kHides = 0.8;  // cosine of the angle from which on one hides the other
+        constexpr double kHides = 0.6;  // cosine of the angle from which on one hides the other
         const double along = between.norm() > 0.05 && ahead.norm() > 0.05
                                  ? between.normalized().dot(ahead.normalized())
                                  : 0.0;

@@ -1,6 +1,8 @@
 #include "core/labelling/learner.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -8,6 +10,7 @@
 
 #include "core/labelling/distances.h"
 #include "core/labelling/query.h"
+#include "core/labelling/reliability.h"
 #include "core/labelling/scores.h"
 #include "tests/support/made_actions.h"
 
@@ -111,7 +114,9 @@ TEST(Learner, NothingOneExampleAndOneClass) {
     }
     const TrainingSet set(kickboxing(), made.features, made.examples(0, 20), {});
     EXPECT_EQ(set.searchParameters(), defaultParameters(kickboxing()));
-    EXPECT_EQ(set.expectedAccuracy(defaultParameters(kickboxing())), 1.0);
+    // All 20 alike were answered right: (20 + 1) / (20 + 2).
+    EXPECT_DOUBLE_EQ(set.expectedAccuracy(defaultParameters(kickboxing()), learn(made, 20)),
+                     21.0 / 22);
     LearningSettings limbFirst;
     limbFirst.limbFirst = true;
     EXPECT_EQ(learn(made, 20, limbFirst).at(25, 0).qualifier, kickboxing()[0].fallback);
@@ -162,8 +167,56 @@ TEST(Learner, ExpectedAccuracyIsNearTheRealOne) {
     const MadeActions made(800, 5.0f);
     const TrainingSet set(kickboxing(), made.features, made.examples(0, 200), {});
     const ParameterSet parameters = defaultParameters(kickboxing());
-    EXPECT_NEAR(set.expectedAccuracy(parameters),
-                made.accuracy(set.predict(parameters, false), 200), 0.08);
+    const Predictions predictions = set.predict(parameters, false);
+    EXPECT_NEAR(set.expectedAccuracy(parameters, predictions), made.accuracy(predictions, 200),
+                0.08);
+}
+
+TEST(Learner, HardExamplesDoNotMakeTheRestLookHard) {
+    // The hand labelled what has the smallest margins, as a session does.
+    const MadeActions made(600, 4.0f);
+    const ParameterSet parameters = defaultParameters(kickboxing());
+    const Predictions first = learn(made, 60);
+    std::vector<int> rows(600);
+    std::iota(rows.begin(), rows.end(), 0);
+    std::stable_sort(rows.begin() + 60, rows.end(), [&](int a, int b) {
+        return smallestMargin(first, a) < smallestMargin(first, b);
+    });
+    std::vector<Example> examples = made.examples(0, 60);
+    for (std::size_t i = 60; i < 160; ++i)
+        examples.push_back(made.examples(rows[i], rows[i] + 1).front());
+    const TrainingSet set(kickboxing(), made.features, examples, {});
+    const Predictions predictions = set.predict(parameters, false);
+    const std::vector<Label> answers = set.crossValidate(parameters);
+    double amongHard = 0, ofTheRest = 0;
+    for (std::size_t i = 0; i < examples.size(); ++i)
+        amongHard += learntAspectsMatch(kickboxing(), examples[i].label, answers[i]);
+    amongHard /= static_cast<double>(examples.size());
+    for (std::size_t i = 160; i < rows.size(); ++i) {
+        Label answer;
+        for (int a = 0; a < 7; ++a)
+            answer.push_back(predictions.at(rows[i], a).qualifier);
+        ofTheRest +=
+            learntAspectsMatch(kickboxing(), made.truth[static_cast<std::size_t>(rows[i])], answer);
+    }
+    ofTheRest /= 440;
+    ASSERT_GT(ofTheRest, amongHard + 0.05) << "else it says nothing";
+    const double expected = set.expectedAccuracy(parameters, predictions);
+    EXPECT_LT(std::abs(expected - ofTheRest), std::abs(amongHard - ofTheRest) / 2);
+}
+
+TEST(Reliability, RisesWithTheMarginAndTrustsFewAnswersLittle) {
+    EXPECT_EQ(Reliability({}).at(3), 0.5);
+    // Worked out by hand: the wrong one at 2 is pooled with the right one at 1.
+    const std::vector<JudgedAnswer> answers = {
+        {4, true}, {2, false}, {1, true}, {0, false}, {3, true}};
+    const Reliability reliability(answers);
+    EXPECT_DOUBLE_EQ(reliability.at(-5), 1.0 / 3) << "0 of 1";
+    EXPECT_DOUBLE_EQ(reliability.at(0), 1.0 / 3);
+    EXPECT_DOUBLE_EQ(reliability.at(1), 2.0 / 4) << "1 of 2";
+    EXPECT_DOUBLE_EQ(reliability.at(2.5), 2.0 / 4);
+    EXPECT_DOUBLE_EQ(reliability.at(3), 3.0 / 4) << "2 of 2";
+    EXPECT_DOUBLE_EQ(reliability.at(100), 3.0 / 4);
 }
 
 TEST(Learner, TheHashKnowsExamplesSettingsAndParameters) {
@@ -253,7 +306,7 @@ TEST(Queries, AtRandomBySeed) {
 
 TEST(Queries, StopWhenItIsGoodOrDoesNotGetBetter) {
     EXPECT_FALSE(mayStop({}));
-    std::vector<double> good(20, 0.98);
+    std::vector<double> good(10, 0.98);
     EXPECT_TRUE(mayStop(good));
     good.pop_back();
     EXPECT_FALSE(mayStop(good)) << "too early to tell";

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QMenuBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QStatusBar>
@@ -17,6 +18,7 @@
 #include "studio/app/commands.h"
 #include "studio/app/status_line.h"
 #include "studio/timeline/timeline_view.h"
+#include "studio/view3d/stage_view.h"
 #include "studio/workspaces/segment/segment_panel.h"
 #include "tests/studio/synthetic_bout.h"
 
@@ -99,6 +101,51 @@ TEST_F(WindowTest, ALetterInAFieldOfANumberIsACommandAndTheNumberIsKept) {
     settle();
     EXPECT_DOUBLE_EQ(session().document().project().segmentation.cutoff, 4.0);
     EXPECT_TRUE(session().selection());
+}
+
+TEST_F(WindowTest, ReturnIsTheJobsAgainAfterTheNextSuspectOrEscape) {
+    openBout();
+    const auto keysLine = [this] { return window_->findChild<StatusLine*>()->text(); };
+    int tried = 0;
+    for (auto* widget : window_->findChildren<QWidget*>()) {
+        const bool isControl = widget->isVisible() && widget->window() == window_.get() &&
+                               widget->focusPolicy() != Qt::NoFocus &&
+                               widget != &window_->timeline() && widget != &window_->stage() &&
+                               !window_->stage().isAncestorOf(widget);
+        if (!isControl) continue;
+        SCOPED_TRACE(std::string(widget->metaObject()->className()) + " " +
+                     widget->accessibleName().toStdString());
+        ++tried;
+        widget->setFocus();
+        if (tried == 1) {
+            EXPECT_TRUE(keysLine().contains("Esc ")) << keysLine().toStdString();
+            EXPECT_FALSE(keysLine().contains("Return keep")) << keysLine().toStdString();
+        }
+        QTest::keyClick(widget, Qt::Key_Escape);
+        EXPECT_EQ(QApplication::focusWidget(), &window_->timeline());
+        if (widget->inherits("QLineEdit")) continue;
+        widget->setFocus();
+        QTest::keyClick(widget, Qt::Key_N);
+        QTest::qWait(1);
+        EXPECT_EQ(QApplication::focusWidget(), &window_->timeline());
+        ASSERT_TRUE(session().selection());
+        EXPECT_TRUE(tried > 1 || keysLine().contains("Return keep"));
+        const BoundaryRef boundary = *session().selection();
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backspace);
+        EXPECT_FALSE(nearestMark(session().marks(boundary.player), boundary.frame, 0.5)->isLive());
+        session().document().undo();
+    }
+    EXPECT_GT(tried, 10);
+}
+
+TEST_F(WindowTest, AfterMenusByKeyboardTheNextSuspectCanBeDecided) {
+    openBout();
+    window_->timeline().setFocus();
+    window_->menuBar()->setFocus();
+    QTest::keyClick(window_->menuBar(), Qt::Key_N);
+    QTest::qWait(1);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Backspace);
+    EXPECT_EQ(session().document().history().position(), 1U);
 }
 
 TEST_F(WindowTest, KeysThatWorkAControlAreNoCommands) {

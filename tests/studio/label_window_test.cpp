@@ -193,6 +193,33 @@ TEST_F(LabelTest, ReturnAnswersOnlyInTheViewsAndPressesTheButtonThatHasTheFocus)
     EXPECT_EQ(document().history().position(), before);
 }
 
+TEST_F(LabelTest, AfterAnAnswerByAButtonReturnIsForTheNextQuestion) {
+    openDemo();
+    pressKeyOf("label.next");
+    press(Qt::Key_B);
+    waitUntilLearnt(true);
+    const int byHand = labels().progress().byHand;
+    int tried = 0;
+    for (auto* button : panel().findChildren<QAbstractButton*>()) {
+        if (!button->isVisible() || !button->isEnabled() || !button->text().contains("⏎")) continue;
+        ++tried;
+        button->setFocus(Qt::TabFocusReason);
+        QTest::keyClick(button, Qt::Key_Return);
+        QTest::qWait(1);
+        EXPECT_EQ(labels().progress().byHand, byHand + 1);
+        EXPECT_EQ(QApplication::focusWidget(), &window_->timeline());
+        break;
+    }
+    EXPECT_EQ(tried, 1);
+    // From the search field the palette's key leads back to the views, not to a field of a number.
+    press(Qt::Key_F, Qt::ControlModifier);
+    QTest::qWait(1);
+    EXPECT_TRUE(QApplication::focusWidget()->inherits("QLineEdit"));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_F4);
+    QTest::qWait(1);
+    EXPECT_EQ(QApplication::focusWidget(), &window_->timeline());
+}
+
 TEST_F(LabelTest, TwoClassesAreSaidByVInAnyWay) {
     openDemo();
     pressKeyOf("label.next");

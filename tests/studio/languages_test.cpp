@@ -23,6 +23,7 @@
 #include "studio/app/core_texts.h"
 #include "studio/app/core_words.h"
 #include "studio/app/file_actions.h"
+#include "studio/app/message_strip.h"
 #include "studio/app/opening.h"
 #include "studio/app/recovery.h"
 #include "studio/app/window_keeper.h"

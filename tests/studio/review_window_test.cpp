@@ -112,6 +112,22 @@ TEST_F(ReviewTest, UndoGoesBackToTheBoundary) {
     EXPECT_FALSE(mark(first)->isLive());
 }
 
+TEST_F(ReviewTest, FromAMinimumThatIsNoSuspectTheMostSuspiciousComesNext) {
+    openBout();
+    const auto suspects = suspectsOf(session());
+    ASSERT_GT(suspects.size(), 3U);
+    ASSERT_GE(suspects.front().suspicion, kSuspect);
+    ASSERT_LT(suspects.back().suspicion, kSuspect);
+    session().goTo(suspects.back().boundary);
+    press(Qt::Key_N);
+    EXPECT_EQ(session().selection(), suspects.front().boundary);
+    // What plays shows both actions that meet there.
+    const Transport& transport = session().transport();
+    EXPECT_TRUE(transport.isLooping());
+    EXPECT_LT(*transport.loopIn(), transport.playhead());
+    EXPECT_GT(*transport.loopOut(), transport.playhead());
+}
+
 TEST_F(ReviewTest, ADecisionShowsTheNextSuspect) {
     openBout();
     // Two removals of a kind make the others of it suspect.

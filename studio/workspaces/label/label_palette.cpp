@@ -136,7 +136,7 @@ void LabelPalette::layOut() {
     besides.kind = Spot::Besides;
     besides.key = keyOf_(QStringLiteral("label.composite"));
     besides.place = QRect(0, top + kGap, width(), rowHeight());
-    besides.text = tr("and: adds the next class");
+    besides.text = tr("first, then two classes: both");
     besides.tip = tr("For two strikes in one action: this, then a class of another lane");
     spots_.push_back(besides);
     top += kGap + rowHeight();

@@ -99,7 +99,8 @@ LearntLabels learnThoroughly(const LearningInput& input, bool search, const Prog
     LearntLabels learnt = begun(input);
     if (search) learnt.parameters = set.searchParameters(progress.part(0, 0.5));
     learnt.predictions = set.predict(learnt.parameters, true, progress.part(0.5, 0.8));
-    learnt.expectedAccuracy = set.expectedAccuracy(learnt.parameters, progress.part(0.8, 1.0));
+    learnt.expectedAccuracy =
+        set.expectedAccuracy(learnt.parameters, learnt.predictions, progress.part(0.8, 1.0));
     learnt.calibrated = true;
     learnt.proposals = propose(input.project, input.analysis, table, learnt.predictions);
     return learnt;

@@ -206,7 +206,9 @@ QString ProgressBox::adviceText() const {
         return tr("Nothing of %1 was labelled so far: if there is any, show the machine one.")
             .arg(unseen.join(tr(", ")));
     }
-    return tr("The next ones are those of which the machine is least sure.");
+    return tr(
+        "Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the "
+        "least sure.");
 }
 
 }  // namespace kumite::studio

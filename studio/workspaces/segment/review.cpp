@@ -70,8 +70,11 @@ void goToSuspect(Session& session, int direction) {
         return session.selection() == suspect.boundary;
     });
     const auto now = selected - open.begin();
-    // From elsewhere the first step leads to the most suspicious.
-    const auto next = selected == open.end() ? 0 : (now + direction + count) % count;
+    // From elsewhere the first step leads to the most suspicious; so it does from what is none
+    // while there are any.
+    const bool among =
+        selected != open.end() && (selected->suspicion >= kSuspect || countSuspects(open) == 0);
+    const auto next = among ? (now + direction + count) % count : 0;
     session.examine(open[static_cast<std::size_t>(next)].boundary);
 }
 
