@@ -66,7 +66,7 @@ LabelPanel::LabelPanel(LabelReview& review, CommandTable& commands, QWidget* par
       review_(review),
       labels_(review.labels()),
       commands_(commands),
-      progress_(new ProgressBox(review, this)),
+      progress_(new ProgressBox(review.labels(), this)),
       which_(new QLabel(this)),
       best_(new QPushButton(this)),
       second_(new QPushButton(this)),
@@ -91,6 +91,8 @@ LabelPanel::LabelPanel(LabelReview& review, CommandTable& commands, QWidget* par
 
     connect(&labels_, &LabelSession::changed, this, &LabelPanel::showLabels);
     connect(&labels_, &LabelSession::learningChanged, progress_, &ProgressBox::refresh);
+    connect(progress_, &ProgressBox::acceptWanted, this,
+            [this] { commands_.run(QStringLiteral("label.acceptSure")); });
     connect(&labels_, &LabelSession::choiceChanged, this, &LabelPanel::showChoice);
     connect(&labels_.session().transport(), &Transport::moved, this, [this] {
         // Without a selection the current action is the one at the playhead.
@@ -119,8 +121,10 @@ QWidget* LabelPanel::makeQuestion() {
     }
     best_->setToolTip(tr("Accept what is proposed"));
     second_->setToolTip(tr("Take the second best instead; of what a hand said, nothing any more"));
-    connect(best_, &QPushButton::clicked, this, [this] { review_.accept(); });
-    connect(second_, &QPushButton::clicked, this, [this] { review_.reject(); });
+    connect(best_, &QPushButton::clicked, this,
+            [this] { commands_.run(QStringLiteral("label.accept")); });
+    connect(second_, &QPushButton::clicked, this,
+            [this] { commands_.run(QStringLiteral("label.reject")); });
     reason_->setWordWrap(true);
     reason_->setProperty("role", "second");
     reason_->setAlignment(Qt::AlignTop);

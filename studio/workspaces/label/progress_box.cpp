@@ -13,7 +13,7 @@
 #include "studio/app/core_words.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
-#include "studio/workspaces/label/label_review.h"
+#include "studio/workspaces/label/label_session.h"
 
 namespace kumite::studio {
 
@@ -66,11 +66,10 @@ private:
 
 }  // namespace
 
-ProgressBox::ProgressBox(LabelReview& review, QWidget* parent)
+ProgressBox::ProgressBox(LabelSession& labels, QWidget* parent)
     : QWidget(parent),
-      review_(review),
-      labels_(review.labels()),
-      bar_(new ProgressStrip(review.labels(), this)),
+      labels_(labels),
+      bar_(new ProgressStrip(labels, this)),
       counts_(new QLabel(this)),
       advice_(new QLabel(this)),
       threshold_(new QDoubleSpinBox(this)),
@@ -110,7 +109,7 @@ ProgressBox::ProgressBox(LabelReview& review, QWidget* parent)
     // A bar that was lowered for one project is none for the next.
     connect(&labels_.session().document(), &Document::opened, threshold_,
             [this] { threshold_->setValue(kSure); });
-    connect(accept_, &QPushButton::clicked, this, [this] { review_.acceptSure(threshold()); });
+    connect(accept_, &QPushButton::clicked, this, &ProgressBox::acceptWanted);
 }
 
 double ProgressBox::threshold() const {

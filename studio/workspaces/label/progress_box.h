@@ -8,7 +8,6 @@ class QPushButton;
 
 namespace kumite::studio {
 
-class LabelReview;
 class LabelSession;
 
 /// How far labelling has come: a bar with what hands said and what was accepted, "12 % labelled,
@@ -17,12 +16,16 @@ class ProgressBox : public QWidget {
     Q_OBJECT
 
 public:
-    ProgressBox(LabelReview& review, QWidget* parent);
+    ProgressBox(LabelSession& labels, QWidget* parent);
 
     void refresh();
     /// From which confidence on the rest is accepted.
     double threshold() const;
     void moveThreshold(double by);
+
+Q_SIGNALS:
+    /// The rest that is sure enough is to be accepted.
+    void acceptWanted();
 
 private:
     QString adviceText() const;
@@ -30,7 +33,6 @@ private:
     /// Learnt aspects of which a single class was labelled so far.
     QStringList seenOnce() const;
 
-    LabelReview& review_;
     LabelSession& labels_;
     QWidget* bar_;
     QLabel* counts_;

@@ -114,16 +114,17 @@ QWidget* SegmentPanel::makeDecisions() {
     for (QPushButton* button : {accept_, remove_})
         button->setFocusPolicy(Qt::TabFocus);
     accept_->setToolTip(tr("It is a boundary: no suspect any more; goes on to the next"));
-    connect(accept_, &QPushButton::clicked, this, [this] { acceptSuspect(session_); });
+    connect(accept_, &QPushButton::clicked, this,
+            [this] { commands_->run(QStringLiteral("review.accept")); });
     connect(remove_, &QPushButton::clicked, this, [this] {
         const auto& selected = session_.selection();
         const BoundaryMark* mark =
             selected ? nearestMark(session_.marks(selected->player), selected->frame, 0.5)
                      : nullptr;
         if (mark != nullptr && !mark->isLive()) {
-            session_.toggleBoundary(*selected);
+            commands_->run(QStringLiteral("boundary.toggle"));
         } else {
-            rejectSuspect(session_);
+            commands_->run(QStringLiteral("review.reject"));
         }
     });
     return box;
