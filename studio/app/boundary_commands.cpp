@@ -104,6 +104,11 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
                             const QList<QWidget*>& scopes = {}) {
         addBoundaryCommand(id, text, keys, std::move(run), newGroup, scopes);
     };
+    connect(&session_, &Session::examined, stage_, [this] {
+        const Transport& transport = session_.transport();
+        stage_->showBoth(transport.loopIn().value_or(transport.span().begin),
+                         transport.loopOut().value_or(transport.span().end));
+    });
     // Return and Backspace are keys of fields and buttons, too.
     const QList<QWidget*> views = {stage_, timelineBox_, panel.list()};
     add(

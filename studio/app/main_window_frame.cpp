@@ -25,6 +25,7 @@
 #include "studio/app/main_window.h"
 #include "studio/app/message_strip.h"
 #include "studio/app/system_theme.h"
+#include "studio/app/words.h"
 #include "studio/app/workspaces.h"
 #include "studio/jobs/job_bar.h"
 #include "studio/timeline/timeline_view.h"
@@ -237,8 +238,8 @@ QStringList MainWindow::keysHint() const {
                });
     };
     if (isInControl())
-        parts.append(QKeySequence(Qt::Key_Escape).toString(QKeySequence::NativeText) +
-                     QLatin1Char(' ') + tr("leave the field or button"));
+        parts.append(keyText(QKeySequence(Qt::Key_Escape)) + QLatin1Char(' ') +
+                     tr("leave the field or button"));
     for (const Entry& entry : entries) {
         if (!entry.holds) continue;
         QStringList keys;
@@ -246,9 +247,7 @@ QStringList MainWindow::keysHint() const {
             const Command* command = commands_->find(id);
             if (command == nullptr || command->keys.isEmpty()) continue;
             if (!commands_->action(id)->isVisible() || isElsewhere(*command)) continue;
-            QString key = command->keys.front().toString(QKeySequence::NativeText);
-            key.replace(QStringLiteral("Left"), QStringLiteral("←"));
-            key.replace(QStringLiteral("Right"), QStringLiteral("→"));
+            QString key = keyText(command->keys.front());
             // "Ctrl+← →": what two keys have in common is said once.
             if (!keys.isEmpty()) key = key.mid(key.lastIndexOf(QLatin1Char('+'), -2) + 1);
             keys.append(key);

@@ -218,6 +218,7 @@ void Session::examine(const BoundaryRef& boundary) {
     transport_.setLoop(std::max(transport_.span().begin, middle - kAround),
                        std::min(transport_.span().end, middle + kAround));
     transport_.setLooping(true);
+    Q_EMIT examined();
 }
 
 void Session::setVisible(TimeSpan span) {

@@ -134,6 +134,8 @@ public:
     void stepAction(int direction);
 
 Q_SIGNALS:
+    /// A boundary is shown from near, to be judged.
+    void examined();
     /// Another take is shown (or another document).
     void takeChanged();
     /// Curves, minima or boundaries of the shown take changed.

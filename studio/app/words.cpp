@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include <cmath>
+#include <map>
 
 #include "studio/app/project_guard.h"
 
@@ -26,6 +27,16 @@ QString clockText(double seconds, int decimals) {
             .rightJustified(width, QLatin1Char('0'));
     const QString sign = seconds < 0 && ticks != 0 ? QStringLiteral("−") : QString();
     return sign + QString::number(ticks / perMinute) + QLatin1Char(':') + rest;
+}
+
+/// The language names keys: only their codes tell which is which.
+QString withSign(const QKeySequence& key, const std::map<int, QChar>& signs) {
+    QString text = key.toString(QKeySequence::NativeText);
+    if (key.isEmpty()) return text;
+    const auto sign = signs.find(key[0].key());
+    if (sign == signs.end()) return text;
+    const QString name = QKeySequence(key[0].key()).toString(QKeySequence::NativeText);
+    return text.chopped(name.size()) + sign->second;
 }
 
 }  // namespace
@@ -53,6 +64,20 @@ QString percentText(double share) {
 
 QString numberText(double number, int decimals) {
     return QLocale().toString(number, 'f', decimals);
+}
+
+QString keyText(const QKeySequence& key) {
+    return withSign(key, {{Qt::Key_Left, QChar(u'←')},
+                          {Qt::Key_Right, QChar(u'→')},
+                          {Qt::Key_Up, QChar(u'↑')},
+                          {Qt::Key_Down, QChar(u'↓')}});
+}
+
+QString keySigns(const QKeySequence& key) {
+    const QString shift =
+        QKeySequence(Qt::SHIFT | Qt::Key_A).toString(QKeySequence::NativeText).chopped(1);
+    return withSign(key, {{Qt::Key_Backspace, QChar(u'⌫')}, {Qt::Key_Return, QChar(u'⏎')}})
+        .replace(shift, QStringLiteral("⇧"));
 }
 
 QString reasonText(const SuspectReason& reason) {

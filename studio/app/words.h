@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QDateTime>
+#include <QKeySequence>
 #include <QString>
 
 #include "core/project/review.h"
@@ -32,6 +33,11 @@ QString momentText(const QDateTime& moment, bool seconds = false);
 QString holderText(const LockHolder& holder);
 /// 1 → "1 edit", 3 → "3 edits".
 QString editsText(int edits);
+
+/// A key as the window's language names it, arrows as signs: "Ctrl+←", "Return", "Entf".
+QString keyText(const QKeySequence& key);
+/// As short as can be, for narrow places: "⇧Q", "⌫", "⏎".
+QString keySigns(const QKeySequence& key);
 
 /// Why a minimum is suspected: "slow left kick, prominence 0.07 BW".
 QString reasonText(const SuspectReason& reason);

@@ -254,39 +254,54 @@ void StageView::frameAll() {
 }
 
 void StageView::frameFighters(double begin, double end) {
+    const Places places = placesBetween(begin, end);
     Box box;
-    Box places[2];
+    for (const Box& place : places) {
+        if (place.empty()) continue;
+        box.add(place.low);
+        box.add(place.high);
+    }
+    if (box.empty()) return;
+    box.low.array() -= 0.15;
+    box.high.array() += 0.15;
+    turnAside(places);
+    scene_->camera.frame(box, viewport());
+    applyCamera();
+}
+
+void StageView::showBoth(double begin, double end) {
+    if (turnAside(placesBetween(begin, end))) frameFighters(begin, end);
+}
+
+StageView::Places StageView::placesBetween(double begin, double end) const {
+    Places places;
     for (int player = 0; player < 2; ++player) {
         const FighterAnalysis* fighter = session_.fighter(player);
         if (fighter == nullptr || fighter->frameCount() == 0) continue;
         for (const double moment : {begin, 0.5 * (begin + end), end}) {
             const int frame = frameAtTime(fighter->input, moment);
-            for (const auto& joint : jointsAt(*fighter, frame)) {
-                box.add(joint.cast<double>());
-                places[player].add(joint.cast<double>());
-            }
+            for (const auto& joint : jointsAt(*fighter, frame))
+                places[static_cast<std::size_t>(player)].add(joint.cast<double>());
         }
     }
-    if (box.empty()) return;
-    box.low.array() -= 0.15;
-    box.high.array() += 0.15;
-    if (!places[0].empty() && !places[1].empty()) {
-        Eigen::Vector3d between = places[1].centre() - places[0].centre();
-        between.y() = 0;
-        Eigen::Vector3d ahead = scene_->camera.forward();
-        ahead.y() = 0;
-        constexpr double kHides = 0.6;  // cosine of the angle from which on one hides the other
-        const double along = between.norm() > 0.05 && ahead.norm() > 0.05
-                                 ? between.normalized().dot(ahead.normalized())
-                                 : 0.0;
-        if (std::abs(along) > kHides) {
-            const Eigen::Vector3d side(between.z(), 0, -between.x());
-            const Eigen::Vector3d from = side.dot(ahead) < 0 ? side : Eigen::Vector3d(-side);
-            scene_->camera.lookFrom(std::atan2(from.x(), from.z()), kUsualPitch);
-        }
-    }
-    scene_->camera.frame(box, viewport());
-    applyCamera();
+    return places;
+}
+
+bool StageView::turnAside(const Places& places) {
+    if (places[0].empty() || places[1].empty()) return false;
+    Eigen::Vector3d between = places[1].centre() - places[0].centre();
+    between.y() = 0;
+    Eigen::Vector3d ahead = scene_->camera.forward();
+    ahead.y() = 0;
+    constexpr double kHides = 0.6;  // cosine of the angle from which on one hides the other
+    const double along = between.norm() > 0.05 && ahead.norm() > 0.05
+                             ? between.normalized().dot(ahead.normalized())
+                             : 0.0;
+    if (std::abs(along) <= kHides) return false;
+    const Eigen::Vector3d side(between.z(), 0, -between.x());
+    const Eigen::Vector3d from = side.dot(ahead) < 0 ? side : Eigen::Vector3d(-side);
+    scene_->camera.lookFrom(std::atan2(from.x(), from.z()), kUsualPitch);
+    return true;
 }
 
 void StageView::frameActiveFighter() {

@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include "studio/view3d/bones.h"
+#include "studio/view3d/camera_controller.h"
 #include "studio/view3d/camera_hand.h"
 #include "studio/view3d/measuring.h"
 #include "studio/view3d/overlays.h"
@@ -23,7 +24,6 @@ namespace kumite::studio {
 
 class Session;
 struct StageMarks;
-struct Viewport;
 
 /// The 3D view: both fighters of the take at the moment that the session shows, on the floor.
 /// Left drag turns, middle or Shift+drag moves, the wheel zooms about the pointer, a click on a
@@ -41,6 +41,8 @@ public:
     /// Shows both fighters as they are from one moment to another (seconds on the take's clock);
     /// turns to the side where one would hide the other.
     void frameFighters(double begin, double end);
+    /// The same, but only where one does hide the other.
+    void showBoth(double begin, double end);
     /// Shows the active fighter as it stands now.
     void frameActiveFighter();
     void lookFromFront();
@@ -143,6 +145,12 @@ protected:
     void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    /// What room each fighter takes.
+    using Places = std::array<Box, 2>;
+
+    Places placesBetween(double begin, double end) const;
+    /// False where the fighters do not hide each other.
+    bool turnAside(const Places& places);
     void takeChanged();
     void bodiesChanged();
     void showPose();

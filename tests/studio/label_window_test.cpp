@@ -234,10 +234,12 @@ TEST_F(LabelTest, TwoClassesAreSaidByVInAnyWay) {
     };
     // First V, then both: the first answer stays, the second goes on.
     const ActionRef first = *session().selectedAction();
+    const std::size_t steps = document().history().position();
     pressKeyOf("label.composite");
     press(Qt::Key_Q);
     EXPECT_EQ(session().selectedAction(), first) << "the second class is still to come";
     press(Qt::Key_Z, Qt::ShiftModifier);
+    EXPECT_EQ(document().history().position(), steps + 1) << "both are one step";
     EXPECT_EQ(said(first), "left_punch:fwd+right_kick:up");
     EXPECT_FALSE(session().selectedAction() == first);
     // One class is said already, V adds another; by number as by letter.

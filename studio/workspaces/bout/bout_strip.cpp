@@ -157,7 +157,7 @@ void BoutStrip::paintEvent(QPaintEvent*) {
         painter.fillRect(QRectF(0, row.top(), 4, row.height()), c.fighters[player]);
         painter.setPen(player == bout_.player() ? c.text : c.secondText);
         painter.drawText(QRectF(12, row.top(), leftGutter() - 16, row.height()),
-                         Qt::AlignLeft | Qt::AlignVCenter, fighterText(player));
+                         Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, fighterText(player));
     }
     if (bout_.tape() == nullptr) return;
     const TimeMapping map = mapping();

@@ -128,18 +128,15 @@ PoseBox::PoseBox(KeySession& keys, QWidget* parent)
 }
 
 void PoseBox::addTimes(QFormLayout* form) {
-    auto* row = new QHBoxLayout;
-    row->setSpacing(6);
     frame_->setRange(0, 100000);
     frame_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     frame_->setKeyboardTracking(false);
     frame_->setMinimumWidth(10);
     frame_->setAccessibleName(tr("Frame of the key"));
     frame_->setToolTip(tr("Moves the key to that frame"));
-    row->addWidget(frame_, 1);
     along_->setToolTip(tr("Later keys go as many frames along"));
-    row->addWidget(along_);
-    form->addRow(tr("Frame"), row);
+    form->addRow(tr("Frame"), frame_);
+    form->addRow(QString(), along_);
     stretch_->setRange(0.1, 10);
     stretch_->setDecimals(2);
     stretch_->setSingleStep(0.1);

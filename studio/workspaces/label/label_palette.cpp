@@ -204,7 +204,6 @@ void LabelPalette::addQuick(int& top) {
         const auto put = [&](std::size_t label, const QRect& place, const QString& text) {
             quick.index = static_cast<int>(label);
             quick.key = keyOf_(QStringLiteral("label.quick%1").arg(label + 1));
-            quick.key.replace(QStringLiteral("Shift+"), QStringLiteral("⇧"));
             quick.tip = labelWords(vocabulary, all[label].label);
             quick.place = place;
             quick.text = text;
@@ -268,7 +267,9 @@ void LabelPalette::paintLane(QPainter& painter, const Spot& spot) {
     }
     painter.setPen(chosen ? c.text : c.secondText);
     const QRect name = spot.place.adjusted(8, 0, -spot.place.width() / 2, 0);
-    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter, spot.text);
+    painter.drawText(
+        name, Qt::AlignLeft | Qt::AlignVCenter,
+        painter.fontMetrics().elidedText(spot.text, Qt::ElideRight, name.width() - 4));
     const ShownAction* action = labels.current();
     if (action == nullptr) return;
     const Aspect& aspect = labels.vocabulary()[spot.index];

@@ -193,7 +193,7 @@ void LabelPanel::moveBar(double by) {
 QString LabelPanel::keyOf(const QString& id) const {
     const Command* command = commands_.find(id);
     if (command == nullptr || command->keys.isEmpty()) return {};
-    return command->keys.front().toString(QKeySequence::NativeText);
+    return keySigns(command->keys.front());
 }
 
 void LabelPanel::showLabels() {
@@ -241,9 +241,7 @@ void LabelPanel::showAnswers(const ShownAction& action) {
     const QString accept = keyOf(QStringLiteral("label.accept"));
     const QString reject = keyOf(QStringLiteral("label.reject"));
     // The names of two strikes take two lines of a narrow panel, and never hide how sure it is.
-    const auto withKey = [this](const QString& text, QString key, const QString& sure = {}) {
-        key.replace(QStringLiteral("Backspace"), QStringLiteral("⌫"));
-        key.replace(QStringLiteral("Return"), QStringLiteral("⏎"));
+    const auto withKey = [this](const QString& text, const QString& key, const QString& sure = {}) {
         QStringList rest;
         for (const QString& part : {sure, key}) {
             if (!part.isEmpty()) rest.append(part);

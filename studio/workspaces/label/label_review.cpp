@@ -250,6 +250,7 @@ void LabelReview::quick(int index) {
 
 void LabelReview::setComposite(bool composite) {
     composite_ = composite;
+    labels_.setTogether(composite);
     if (composite) {
         Q_EMIT labels_.session().hinted(tr("The next class key adds to the label."));
     }

@@ -114,6 +114,8 @@ public:
     /// `endPainting`.
     void paint(int action, int aspect, int qualifier);
     void endPainting();
+    /// While it is on, what is said is one step of the history: two classes of one action.
+    void setTogether(bool together);
     /// How many actions without a hand's label are as sure as that in every aspect.
     int countSure(double leastConfidence) const;
     /// Accepts those, and what rules say of actions that hands labelled. Not while `isCurrent
@@ -140,6 +142,7 @@ private:
     const std::vector<ActionLabel>* proposalsOf(FighterAddress fighter,
                                                 const std::vector<RuleReasons>** reasons) const;
     bool edit(const std::function<MaybeEdit(const Project&, const Analysis&)>& function);
+    bool set(const std::vector<ActionAnswer>& answers);
     bool answer(std::span<const int> actions,
                 const std::function<Label(const ShownAction&)>& labelOf);
     /// What is accepted from that confidence on.
@@ -158,6 +161,7 @@ private:
     std::vector<ActionRef> chosen_;  ///< beside the current action
     int aspect_ = 0;
     std::vector<ActionAnswer> painted_;
+    bool together_ = false;
 };
 
 }  // namespace kumite::studio

@@ -86,9 +86,25 @@ bool LabelSession::answer(std::span<const int> actions,
         const ShownAction& action = actions_.at(static_cast<std::size_t>(index));
         answers.push_back({action.fighter, action.index, labelOf(action)});
     }
-    return edit([&](const Project& project, const Analysis& analysis) {
-        return setLabels(project, analysis, answers);
+    return set(answers);
+}
+
+bool LabelSession::set(const std::vector<ActionAnswer>& answers) {
+    if (!together_) {
+        return edit([&](const Project& project, const Analysis& analysis) {
+            return setLabels(project, analysis, answers);
+        });
+    }
+    // Labels change no derived value: the analysis is that of the project before, too.
+    Document& document = session_.document();
+    return document.applyLive(QStringLiteral("two classes"), [&](const Project& project) {
+        return setLabels(project, document.analysis(), answers);
     });
+}
+
+void LabelSession::setTogether(bool together) {
+    if (together_ && !together) session_.document().endGesture();
+    together_ = together;
 }
 
 bool LabelSession::name(std::span<const int> actions, int aspect, int qualifier, Naming naming) {
@@ -131,9 +147,7 @@ bool LabelSession::sayEach(std::span<const std::pair<int, Label>> answers) {
         const ShownAction& action = actions_.at(static_cast<std::size_t>(index));
         all.push_back({action.fighter, action.index, label});
     }
-    return edit([&](const Project& project, const Analysis& analysis) {
-        return setLabels(project, analysis, all);
-    });
+    return set(all);
 }
 
 bool LabelSession::agree(std::span<const int> actions) {
