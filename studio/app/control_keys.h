@@ -1,6 +1,7 @@
 #pragma once
 
 class QKeyEvent;
+class QObject;
 class QWidget;
 
 namespace kumite::studio {
