@@ -7542,10 +7542,6 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Was Regeln sagen, ist noch anzunehmen.</translation>
     </message>
     <message>
-        <source>More labels by hand will hardly help. Look through the least sure, then accept the sure rest.</source>
-        <translation>Mehr Labels von Hand helfen kaum. Sehen Sie die unsichersten durch, nehmen Sie dann den sicheren Rest an.</translation>
-    </message>
-    <message>
         <source>Nothing of %1 was labelled so far: if there is any, show the machine one.</source>
         <translation>Von %1 wurde bisher nichts gelabelt: Gibt es das, zeigen Sie der Maschine eines.</translation>
     </message>
@@ -7569,8 +7565,16 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         </translation>
     </message>
     <message>
-        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
-        <translation>Weiter: Die nächsten sagen der Maschine am meisten. Oder den sicheren Rest annehmen: N führt dann zu den unsichersten.</translation>
+        <source>How many of the machine&apos;s answers should be right where no hand has spoken</source>
+        <translation>Wie viele Antworten der Maschine stimmen dürften, wo keine Hand etwas gesagt hat</translation>
+    </message>
+    <message>
+        <source>More labels by hand will hardly help: accept the sure rest (%1), lower the bar for the others (%2), then look through the least sure (%3).</source>
+        <translation>Mehr Labels von Hand helfen kaum noch: den sicheren Rest annehmen (%1), für die anderen die Schwelle senken (%2), dann die unsichersten durchsehen (%3).</translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most.</source>
+        <translation>Weiter: Die nächsten sagen der Maschine am meisten.</translation>
     </message>
 </context>
 <context>
@@ -8006,8 +8010,8 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>Sie ist unecht; weiter zum nächsten</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
-        <translation>%1 führt zum verdächtigsten Minimum. Entfernen, wo eine Bewegung hindurchgeht; behalten, wo eine endet und eine andere beginnt.</translation>
+        <source>%1 leads to the most suspicious minimum. Remove it where the body hardly dips: a kick down and up again is one action. Keep it where one ends and another begins.</source>
+        <translation>%1 führt zum verdächtigsten Minimum. Entfernen Sie es, wo der Körper kaum absinkt: Ein Tritt runter und wieder hoch ist eine Aktion. Behalten Sie es, wo eine endet und eine andere beginnt.</translation>
     </message>
 </context>
 <context>

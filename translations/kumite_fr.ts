@@ -7542,10 +7542,6 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
         <translation>Il reste à accepter ce que disent les règles.</translation>
     </message>
     <message>
-        <source>More labels by hand will hardly help. Look through the least sure, then accept the sure rest.</source>
-        <translation>D’autres étiquettes à la main n’aideront guère. Passez en revue les moins sûres, puis acceptez le reste sûr.</translation>
-    </message>
-    <message>
         <source>Nothing of %1 was labelled so far: if there is any, show the machine one.</source>
         <translation>Rien de %1 n’a été étiqueté jusqu’ici&#xa0;: s’il y en a, montrez-en un à la machine.</translation>
     </message>
@@ -7569,8 +7565,16 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
         </translation>
     </message>
     <message>
-        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
-        <translation>Continuez : les suivantes en apprennent le plus à la machine. Ou acceptez le reste sûr : N mène alors aux moins sûres.</translation>
+        <source>How many of the machine&apos;s answers should be right where no hand has spoken</source>
+        <translation>Part des réponses de la machine qui devraient être justes là où aucune main n’a parlé</translation>
+    </message>
+    <message>
+        <source>More labels by hand will hardly help: accept the sure rest (%1), lower the bar for the others (%2), then look through the least sure (%3).</source>
+        <translation>D’autres étiquettes à la main n’aideront guère : acceptez le reste sûr (%1), abaissez le seuil pour les autres (%2), puis revoyez les moins sûres (%3).</translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most.</source>
+        <translation>Continuez : les suivantes en apprennent le plus à la machine.</translation>
     </message>
 </context>
 <context>
@@ -8006,8 +8010,8 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
         <translation>Elle est fausse&#xa0;; passe à la suivante</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
-        <translation>%1 mène au minimum le plus suspect. Supprimez-le là où un mouvement continue ; gardez-le là où l’un finit et l’autre commence.</translation>
+        <source>%1 leads to the most suspicious minimum. Remove it where the body hardly dips: a kick down and up again is one action. Keep it where one ends and another begins.</source>
+        <translation>%1 mène au minimum le plus suspect. Supprimez-le là où le corps baisse à peine : un coup de pied qui descend et remonte est une seule action. Gardez-le là où une action finit et où une autre commence.</translation>
     </message>
 </context>
 <context>

@@ -7539,10 +7539,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>ルールの提案が承認待ちです。</translation>
     </message>
     <message>
-        <source>More labels by hand will hardly help. Look through the least sure, then accept the sure rest.</source>
-        <translation>手動のラベルを増やしても、もうほとんど効果はありません。最も不確かなものを見直してから、確実な残りを承認してください。</translation>
-    </message>
-    <message>
         <source>Nothing of %1 was labelled so far: if there is any, show the machine one.</source>
         <translation>%1にはまだラベルがありません。該当するものがあれば、機械に1つ示してください。</translation>
     </message>
@@ -7565,8 +7561,16 @@ Right click: paint with it over actions of the timeline</source>
         </translation>
     </message>
     <message>
-        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
-        <translation>続けましょう。次の質問は機械に最も役立ちます。または確実な残りを承認すると、N で最も自信のないものに進めます。</translation>
+        <source>How many of the machine&apos;s answers should be right where no hand has spoken</source>
+        <translation>手で答えていない動作で、機械の答えが正しいと見込まれる割合</translation>
+    </message>
+    <message>
+        <source>More labels by hand will hardly help: accept the sure rest (%1), lower the bar for the others (%2), then look through the least sure (%3).</source>
+        <translation>手のラベルを増やしても効果はわずかです。確実な残りを承認し (%1)、ほかはしきい値を下げ (%2)、最後に自信のないものを見直します (%3)。</translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most.</source>
+        <translation>続けましょう。次の質問が機械に最も役立ちます。</translation>
     </message>
 </context>
 <context>
@@ -8000,8 +8004,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>偽の極小です。次へ進みます</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
-        <translation>%1 で最も疑わしい極小へ進みます。動きが続いていれば削除し、終わって次が始まる所なら残します。</translation>
+        <source>%1 leads to the most suspicious minimum. Remove it where the body hardly dips: a kick down and up again is one action. Keep it where one ends and another begins.</source>
+        <translation>%1 で最も疑わしい極小に進みます。体の沈みがわずかなら削除します。下ろしてまた上げる蹴りは1つの動作です。動作が終わり、次が始まる所は維持します。</translation>
     </message>
 </context>
 <context>

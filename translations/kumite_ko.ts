@@ -7539,10 +7539,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>이제 규칙의 제안만 수락하면 됩니다.</translation>
     </message>
     <message>
-        <source>More labels by hand will hardly help. Look through the least sure, then accept the sure rest.</source>
-        <translation>수동 레이블을 더 붙여도 별로 나아지지 않습니다. 확신이 가장 낮은 것을 살펴본 뒤 확실한 나머지를 수락하세요.</translation>
-    </message>
-    <message>
         <source>Nothing of %1 was labelled so far: if there is any, show the machine one.</source>
         <translation>아직 %1 레이블이 없습니다. 있다면 학습기에 하나 보여 주세요.</translation>
     </message>
@@ -7565,8 +7561,16 @@ Right click: paint with it over actions of the timeline</source>
         </translation>
     </message>
     <message>
-        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
-        <translation>계속하세요. 다음 질문이 학습기에 가장 도움이 됩니다. 또는 확실한 나머지를 수락하면 N이 가장 불확실한 것으로 안내합니다.</translation>
+        <source>How many of the machine&apos;s answers should be right where no hand has spoken</source>
+        <translation>손으로 답하지 않은 곳에서 학습기의 답이 맞을 것으로 보이는 비율</translation>
+    </message>
+    <message>
+        <source>More labels by hand will hardly help: accept the sure rest (%1), lower the bar for the others (%2), then look through the least sure (%3).</source>
+        <translation>손으로 더 붙여도 거의 나아지지 않습니다. 확실한 나머지를 수락하고(%1), 나머지는 기준을 낮춘 뒤(%2), 가장 불확실한 것을 살펴보세요(%3).</translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most.</source>
+        <translation>계속하세요. 다음 질문이 학습기에 가장 도움이 됩니다.</translation>
     </message>
 </context>
 <context>
@@ -8000,8 +8004,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>가짜입니다. 다음으로 갑니다</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
-        <translation>%1(으)로 가장 의심스러운 극소점으로 갑니다. 움직임이 이어지면 제거하고, 끝나고 다른 움직임이 시작되면 유지하세요.</translation>
+        <source>%1 leads to the most suspicious minimum. Remove it where the body hardly dips: a kick down and up again is one action. Keep it where one ends and another begins.</source>
+        <translation>%1 키로 가장 의심스러운 극소점으로 갑니다. 몸이 거의 내려가지 않는 곳은 제거하세요. 내렸다가 다시 올리는 킥은 한 동작입니다. 한 동작이 끝나고 다른 동작이 시작되는 곳은 유지하세요.</translation>
     </message>
 </context>
 <context>

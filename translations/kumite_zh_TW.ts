@@ -7539,10 +7539,6 @@ Right click: paint with it over actions of the timeline</source>
         <translation>規則的說法仍待接受。</translation>
     </message>
     <message>
-        <source>More labels by hand will hardly help. Look through the least sure, then accept the sure rest.</source>
-        <translation>再多的手動標籤幫助不大。請檢查最沒把握的，再接受其餘有把握的。</translation>
-    </message>
-    <message>
         <source>Nothing of %1 was labelled so far: if there is any, show the machine one.</source>
         <translation>至今沒有標記過%1：若有，請讓機器看一個。</translation>
     </message>
@@ -7565,8 +7561,16 @@ Right click: paint with it over actions of the timeline</source>
         </translation>
     </message>
     <message>
-        <source>Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the least sure.</source>
-        <translation>繼續：接下來的問題對機器最有幫助。或接受其餘有把握的：之後按 N 會帶到最沒把握的。</translation>
+        <source>How many of the machine&apos;s answers should be right where no hand has spoken</source>
+        <translation>未手動標記之處，機器答案預期正確的比例</translation>
+    </message>
+    <message>
+        <source>More labels by hand will hardly help: accept the sure rest (%1), lower the bar for the others (%2), then look through the least sure (%3).</source>
+        <translation>再手動標記也幫助不大：接受有把握的其餘（%1），其他的請降低門檻（%2），再檢視最沒把握的（%3）。</translation>
+    </message>
+    <message>
+        <source>Go on: the next ones tell the machine most.</source>
+        <translation>繼續：接下來的問題對機器最有幫助。</translation>
     </message>
 </context>
 <context>
@@ -8000,8 +8004,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>這是假的；接著到下一個</translation>
     </message>
     <message>
-        <source>%1 leads to the most suspicious minimum. Remove it where one movement goes on through it; keep it where one ends and another begins.</source>
-        <translation>%1 前往最可疑的極小點。動作持續通過之處請移除；一個結束、另一個開始之處請保留。</translation>
+        <source>%1 leads to the most suspicious minimum. Remove it where the body hardly dips: a kick down and up again is one action. Keep it where one ends and another begins.</source>
+        <translation>%1 前往最可疑的極小值。身體幾乎沒有下沉處請移除：踢腿放下又抬起是同一個動作。一個動作結束、另一個開始之處請保留。</translation>
     </message>
 </context>
 <context>

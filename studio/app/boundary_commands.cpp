@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/main_window.h"
 #include "studio/timeline/timeline_view.h"
@@ -108,6 +109,7 @@ void MainWindow::addSegmentCommands(SegmentPanel& panel) {
         const Transport& transport = session_.transport();
         stage_->showBoth(transport.loopIn().value_or(transport.span().begin),
                          transport.loopOut().value_or(transport.span().end));
+        if (!isMotionReduced()) session_.transport().setPlaying(true);
     });
     // Return and Backspace are keys of fields and buttons, too.
     const QList<QWidget*> views = {stage_, timelineBox_, panel.list()};

@@ -76,7 +76,11 @@ QString keyText(const QKeySequence& key) {
 QString keySigns(const QKeySequence& key) {
     const QString shift =
         QKeySequence(Qt::SHIFT | Qt::Key_A).toString(QKeySequence::NativeText).chopped(1);
-    return withSign(key, {{Qt::Key_Backspace, QChar(u'⌫')}, {Qt::Key_Return, QChar(u'⏎')}})
+    const bool answers =
+        !key.isEmpty() && (key[0].key() == Qt::Key_Backspace || key[0].key() == Qt::Key_Return);
+    return (answers
+                ? withSign(key, {{Qt::Key_Backspace, QChar(u'⌫')}, {Qt::Key_Return, QChar(u'⏎')}})
+                : keyText(key))
         .replace(shift, QStringLiteral("⇧"));
 }
 

@@ -242,6 +242,7 @@ TEST_F(WindowTest, StatusLineSaysWhatHoldsNow) {
     // What was said is over with the next act.
     press(Qt::Key_Return);
     EXPECT_TRUE(statusOf(*window_).startsWith("No boundary is selected"));
+    session().transport().setPlaying(false);
     press(Qt::Key_Right);
     EXPECT_TRUE(statusOf(*window_).contains("Space play"));
 

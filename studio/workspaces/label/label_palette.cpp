@@ -267,9 +267,8 @@ void LabelPalette::paintLane(QPainter& painter, const Spot& spot) {
     }
     painter.setPen(chosen ? c.text : c.secondText);
     const QRect name = spot.place.adjusted(8, 0, -spot.place.width() / 2, 0);
-    painter.drawText(
-        name, Qt::AlignLeft | Qt::AlignVCenter,
-        painter.fontMetrics().elidedText(spot.text, Qt::ElideRight, name.width() - 4));
+    painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(spot.text, Qt::ElideRight, name.width() - 4));
     const ShownAction* action = labels.current();
     if (action == nullptr) return;
     const Aspect& aspect = labels.vocabulary()[spot.index];

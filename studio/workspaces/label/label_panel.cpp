@@ -66,7 +66,8 @@ LabelPanel::LabelPanel(LabelReview& review, CommandTable& commands, QWidget* par
       review_(review),
       labels_(review.labels()),
       commands_(commands),
-      progress_(new ProgressBox(review.labels(), this)),
+      progress_(new ProgressBox(
+          review.labels(), [this](const QString& id) { return keyOf(id); }, this)),
       which_(new QLabel(this)),
       best_(new QPushButton(this)),
       second_(new QPushButton(this)),

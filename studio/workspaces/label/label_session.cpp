@@ -4,6 +4,8 @@
 #include "studio/workspaces/label/label_session.h"
 
 #include <algorithm>
+#include <numeric>
+#include <span>
 #include <tuple>
 
 namespace kumite::studio {
@@ -240,7 +242,14 @@ void LabelSession::count() {
         if (action.isSettled()) ++progress_.settled;
     }
     if (curve_.empty()) return;
-    progress_.expectedAccuracy = curve_.back().expectedAccuracy;
+    // One round's value trembles by some percent.
+    constexpr std::size_t kRounds = 5;
+    const std::size_t few = std::min(kRounds, curve_.size());
+    progress_.expectedAccuracy =
+        std::accumulate(
+            curve_.end() - static_cast<std::ptrdiff_t>(few), curve_.end(), 0.0,
+            [](double sum, const LearnedPoint& point) { return sum + point.expectedAccuracy; }) /
+        static_cast<double>(few);
     // A round of mayStop is a batch.
     std::vector<double> rounds;
     int labelled = 0;
@@ -249,7 +258,10 @@ void LabelSession::count() {
         labelled = point.labelled;
         rounds.push_back(point.expectedAccuracy);
     }
-    progress_.mayStop = kumite::mayStop(rounds);
+    // Once said it stays.
+    progress_.mayStop = false;
+    for (std::size_t count = 1; count <= rounds.size() && !progress_.mayStop; ++count)
+        progress_.mayStop = kumite::mayStop(std::span(rounds).first(count));
 }
 
 void LabelSession::notePoint() {

@@ -66,9 +66,10 @@ private:
 
 }  // namespace
 
-ProgressBox::ProgressBox(LabelSession& labels, QWidget* parent)
+ProgressBox::ProgressBox(LabelSession& labels, KeyOf keyOf, QWidget* parent)
     : QWidget(parent),
       labels_(labels),
+      keyOf_(std::move(keyOf)),
       bar_(new ProgressStrip(labels, this)),
       counts_(new QLabel(this)),
       advice_(new QLabel(this)),
@@ -136,6 +137,8 @@ void ProgressBox::refresh() {
     }
     counts.replace(QStringLiteral(" %"), QStringLiteral("\u00a0%"));
     counts_->setText(counts);
+    counts_->setToolTip(
+        tr("How many of the machine's answers should be right where no hand has spoken"));
     advice_->setText(adviceText());
     const int sure = labels_.countSure(threshold());
     const bool anyLeft = progress.actions > 0 && progress.settled < progress.actions;
@@ -196,18 +199,17 @@ QString ProgressBox::adviceText() const {
     if (progress.byHand < few) return tr("Go on: N leads to the next one that says most.");
     if (labels_.queue().empty()) return tr("What rules say is left to be accepted.");
     if (progress.mayStop) {
-        return tr(
-            "More labels by hand will hardly help. Look through the least sure, then accept "
-            "the sure rest.");
+        return tr("More labels by hand will hardly help: accept the sure rest (%1), lower the bar "
+                  "for "
+                  "the others (%2), then look through the least sure (%3).")
+            .arg(keyOf_("label.acceptSure"), keyOf_("label.barDown"), keyOf_("label.next"));
     }
     const QStringList unseen = seenOnce();
     if (!unseen.isEmpty()) {
         return tr("Nothing of %1 was labelled so far: if there is any, show the machine one.")
             .arg(unseen.join(tr(", ")));
     }
-    return tr(
-        "Go on: the next ones tell the machine most. Or accept the sure rest: N then leads to the "
-        "least sure.");
+    return tr("Go on: the next ones tell the machine most.");
 }
 
 }  // namespace kumite::studio

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
@@ -16,7 +18,10 @@ class ProgressBox : public QWidget {
     Q_OBJECT
 
 public:
-    ProgressBox(LabelSession& labels, QWidget* parent);
+    /// The first key of a command, as people read it; empty without one.
+    using KeyOf = std::function<QString(const QString& id)>;
+
+    ProgressBox(LabelSession& labels, KeyOf keyOf, QWidget* parent);
 
     void refresh();
     /// From which confidence on the rest is accepted.
@@ -34,6 +39,7 @@ private:
     QStringList seenOnce() const;
 
     LabelSession& labels_;
+    KeyOf keyOf_;
     QWidget* bar_;
     QLabel* counts_;
     QLabel* advice_;

@@ -251,7 +251,10 @@ void QualityBox::showPlot() {
     // Matrix and list need the room while a cell is open.
     plot_->setVisible(!plot_->isEmpty() && !open_);
     QString text;
-    if (const auto gain = orderGain(orders_)) {
+    // What was asked for is hard: judged on that alone, asking rarely shows what it is worth.
+    constexpr double kWorthSaying = 1.2;
+    const auto gain = orderGain(orders_);
+    if (gain && gain->random >= kWorthSaying * gain->asked) {
         text = tr("%1 labels as asked do what %2 in random order do.")
                    .arg(gain->asked)
                    .arg(gain->random);

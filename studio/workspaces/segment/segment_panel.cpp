@@ -178,8 +178,9 @@ void SegmentPanel::showSelection() {
         reason_->setText(
             mark ? tr("A boundary that a hand has set.")
             : anySuspect
-                ? tr("%1 leads to the most suspicious minimum. Remove it where one movement goes "
-                     "on through it; keep it where one ends and another begins.")
+                ? tr("%1 leads to the most suspicious minimum. Remove it where the body hardly "
+                     "dips: a kick down and up again is one action. Keep it where one ends and "
+                     "another begins.")
                       .arg(key)
                 : tr("No suspect is left. %1 leads through the others.").arg(key));
     }
