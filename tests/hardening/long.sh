@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # long.sh BIN WORK [MINUTES]: scripted work in all workspaces, over and over; memory at each round.
+# What a round makes it takes back: steps of the history and a bout that goes on are a user's own.
 source "$(dirname "$0")/common.sh"
 minutes=${3:-60}
 project=$("$bin/kumite" demo --out "$work/demo" --seconds 120)
@@ -9,9 +10,9 @@ round() {
         boundary.toggle edit.undo transport.play "wait 2000" transport.play view.side view.front \
         workspace.label idle label.next label.accept idle edit.undo "wait 300" \
         workspace.graph idle graph.view graph.view graph.nextSurprise "wait 300" \
-        workspace.bout idle bout.play "wait 4000" bout.play \
-        workspace.keyframe idle keys.add idle keys.onTen keys.onTen keys.add idle keys.remove \
-        keys.remove idle "wait 300" file.save idle
+        workspace.bout idle bout.begin idle bout.play "wait 4000" bout.play \
+        workspace.keyframe idle keys.add idle keys.onTen keys.onTen keys.add idle edit.undo edit.undo \
+        idle "wait 300" file.save idle
 }
 rounds=$((minutes * 4))  # a round takes about 15 s
 : >"$work/acts"
