@@ -25,6 +25,31 @@ constexpr std::array<double, 5> kSearchGamma = {0.5, 0.25, 0.125, 1.0, 0.0625}; 
 /// the values and made the rest worse for a while.
 constexpr double kClearlyBetter = 3.0;
 constexpr std::size_t kSearchExamples = 300;
+/// Memory and time grow with the square of the examples; beyond this many hardly anything is
+/// learnt from more of them.
+constexpr std::size_t kMostExamples = 2000;
+/// So many of every label stay, however rare it is.
+constexpr std::size_t kFewestOfLabel = 5;
+
+/// At most about kMostExamples of them: of every label its share, evenly over the rows.
+std::vector<Example> thinned(std::vector<Example> examples) {
+    if (examples.size() <= kMostExamples) return examples;
+    std::map<Label, std::vector<std::size_t>> byLabel;
+    for (std::size_t i = 0; i < examples.size(); ++i)
+        byLabel[examples[i].label].push_back(i);
+    std::vector<std::size_t> kept;
+    for (const auto& [label, indices] : byLabel) {
+        const std::size_t share = indices.size() * kMostExamples / examples.size();
+        const std::size_t count = std::min(indices.size(), std::max(kFewestOfLabel, share));
+        for (std::size_t i = 0; i < count; ++i)
+            kept.push_back(indices[i * indices.size() / count]);
+    }
+    std::sort(kept.begin(), kept.end());
+    std::vector<Example> fewer;
+    for (const std::size_t index : kept)
+        fewer.push_back(std::move(examples[index]));
+    return fewer;
+}
 
 std::vector<int> rowsOf(const std::vector<Example>& examples) {
     std::vector<int> rows;
@@ -111,7 +136,7 @@ std::size_t bestPoint(const std::vector<Answers>& grid, std::size_t usual, doubl
 struct TrainingSet::Data {
     const Vocabulary& vocabulary;
     LearningSettings settings;
-    std::vector<Example> examples;    ///< as given
+    std::vector<Example> examples;    ///< as given, thinned
     std::vector<Label> labels;        ///< of the training rows: examples, then their mirrors
     FeatureMatrix among;              ///< squared distances among the training rows
     FeatureMatrix toAll;              ///< from all rows of the features to the training rows
@@ -169,9 +194,9 @@ TrainingSet::TrainingSet(const Vocabulary& vocabulary, const FeatureMatrix& feat
                          std::vector<Example> examples, const LearningSettings& settings)
     : data_(std::make_unique<Data>(vocabulary, settings)) {
     data_->tasks = learningTasks(vocabulary, settings.limbFirst);
-    for (const Example& example : examples)
+    data_->examples = thinned(std::move(examples));
+    for (const Example& example : data_->examples)
         data_->labels.push_back(example.label);
-    data_->examples = std::move(examples);
     if (data_->examples.empty()) {
         data_->toAll.resize(features.rows(), 0);
         return;

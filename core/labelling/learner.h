@@ -51,7 +51,8 @@ struct Predictions {
 double smallestMargin(const Predictions& predictions, int row);
 
 /// The examples in standardised form with their distances, shared by every aspect, every fold and
-/// every C and γ: what makes a round quick. Refers to the vocabulary and the features.
+/// every C and γ: what makes a round quick. Of more than 2000 examples so many take part, every
+/// label by its share. Refers to the vocabulary and the features.
 class TrainingSet {
 public:
     TrainingSet(const Vocabulary& vocabulary, const FeatureMatrix& features,
@@ -59,6 +60,7 @@ public:
     ~TrainingSet();
     TrainingSet(TrainingSet&&) noexcept;
 
+    /// Those that take part.
     const std::vector<Example>& examples() const;
 
     /// C and γ of every learnt aspect by stratified cross-validation on a grid; an example and its

@@ -292,12 +292,12 @@ AutoLabels labelAutomatically(const Project& project, const Analysis& analysis,
                               const Progress& progress) {
     const LabelSettings& settings = project.labelling;
     const ActionTable table = actionTable(project, analysis, progress.part(0, 0.05));
-    const TrainingSet set(*settings.vocabulary, table.features,
-                          handExamples(project, analysis, table), settings.learning);
+    const std::vector<Example> examples = handExamples(project, analysis, table);
+    const TrainingSet set(*settings.vocabulary, table.features, examples, settings.learning);
     AutoLabels result;
-    result.examples = static_cast<int>(set.examples().size());
+    result.examples = static_cast<int>(examples.size());
     const auto hashWith = [&](const ParameterSet& parameters) {
-        return trainingHash(table.features, set.examples(), settings.learning, parameters);
+        return trainingHash(table.features, examples, settings.learning, parameters);
     };
     if (settings.model && settings.model->trainingHash == hashWith(settings.model->parameters)) {
         result.model = *settings.model;

@@ -205,6 +205,21 @@ TEST(Learner, HardExamplesDoNotMakeTheRestLookHard) {
     EXPECT_LT(std::abs(expected - ofTheRest), std::abs(amongHard - ofTheRest) / 2);
 }
 
+TEST(Learner, OfVeryManyExamplesSomeTakePartAndRareOnesStay) {
+    MadeActions made(2600, 3.0f, 9, {"others", "left_kick:up", "right_punch:fwd"});
+    const Label rare = parseLabel(kickboxing(), "jump:up");
+    for (const std::size_t row : {11u, 900u, 1700u})
+        made.truth[row] = rare;
+    const TrainingSet set(kickboxing(), made.features, made.examples(0, 2600), {});
+    EXPECT_LE(set.examples().size(), 2010u);
+    EXPECT_GE(set.examples().size(), 1990u);
+    EXPECT_EQ(std::count_if(set.examples().begin(), set.examples().end(),
+                            [&](const Example& example) { return example.label == rare; }),
+              3);
+    EXPECT_TRUE(std::is_sorted(set.examples().begin(), set.examples().end(),
+                               [](const Example& a, const Example& b) { return a.row < b.row; }));
+}
+
 TEST(Reliability, RisesWithTheMarginAndTrustsFewAnswersLittle) {
     EXPECT_EQ(Reliability({}).at(3), 0.5);
     // Worked out by hand: the wrong one at 2 is pooled with the right one at 1.
