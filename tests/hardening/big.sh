@@ -15,7 +15,7 @@ measured "" "all true labels taken over" "$k" label "$project" --import "$hour/t
 measured "" "labels written (labels)" "$k" labels "$project" --out "$hour/all.csv"
 measured "" "the graph learned and written (model --graph)" "$k" model "$project" --graph "$hour/graph.json"
 measured "" "60 s of a made bout (bout)" "$k" bout "$project" --out "$hour/bout" --seconds 60
-printf '%s\n' idle boundary.next boundary.toggle transport.play "wait 3000" transport.play \
+printf "%s\n" idle workspace.segment boundary.next boundary.toggle transport.play "wait 3000" transport.play \
     workspace.label idle label.next "wait 500" workspace.graph idle file.save idle file.quit >"$work/acts"
 measured "" "studio: opened, corrected, played, labels, graph, saved" \
     "$bin/kumite-studio" --watch --script "$work/acts" "$project"
@@ -37,7 +37,7 @@ awk -v n=1000 '{all = all $0 "\n"} END {
     printf "%s", substr(all, begin + end - 1)
 }' "$many/demo.kumite" >"$many/thousand.kumite"
 measured "1000 takes of two fighters" "read and segmented (segment)" "$k" segment "$many/thousand.kumite"
-printf '%s\n' idle take.next take.next boundary.next boundary.toggle edit.undo edit.redo \
+printf "%s\n" idle workspace.segment idle take.next take.next boundary.next boundary.toggle edit.undo edit.redo \
     workspace.label idle file.save idle file.quit >"$work/acts"
 measured "" "studio: opened, takes changed, corrected, labels, saved" \
     "$bin/kumite-studio" --watch --script "$work/acts" "$many/thousand.kumite"
