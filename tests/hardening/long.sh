@@ -14,7 +14,7 @@ round() {
         workspace.keyframe idle keys.add idle keys.onTen keys.onTen keys.add idle edit.undo edit.undo \
         idle "wait 300" file.save idle
 }
-rounds=$((minutes * 4))  # a round takes about 15 s
+rounds=$((minutes * 10))  # more than a quick machine plays
 : >"$work/acts"
 for _ in $(seq "$rounds"); do round >>"$work/acts"; done
 echo file.quit >>"$work/acts"

@@ -418,10 +418,10 @@ TEST_F(GraphTest, TwoModelsStandBesideEachOtherInTheGraph) {
         if (box->text() == "difference") box->click();
     }
     for (const auto& edge : page.drawing().edges) {
-        const auto& [own, opponent, next] = edge.meaning.filter;
+        const TransitionFilter& of = edge.meaning.filter;
         const auto p = [&](int side) {
             return page.drawing().sides[std::size_t(side)].model().labels.probabilities(
-                own, opponent)[std::size_t(next)];
+                of.own, of.opponent)[std::size_t(of.next)];
         };
         EXPECT_NEAR(edge.probability, p(edge.side) - p(1 - edge.side), 1e-12);
         EXPECT_GT(edge.probability, 0);
