@@ -232,7 +232,7 @@ QStringList MainWindow::keysHint() const {
     QStringList parts;
     const QWidget* focused = QApplication::focusWidget();
     const auto isElsewhere = [focused](const Command& command) {
-        return !command.scopes.isEmpty() &&
+        return focused != nullptr && !command.scopes.isEmpty() &&
                std::none_of(command.scopes.begin(), command.scopes.end(), [&](QWidget* scope) {
                    return scope == focused || scope->isAncestorOf(focused);
                });
