@@ -220,6 +220,23 @@ TEST_F(LabelTest, AfterAnAnswerByAButtonReturnIsForTheNextQuestion) {
     EXPECT_EQ(QApplication::focusWidget(), &window_->timeline());
 }
 
+TEST_F(LabelTest, AnAnswerStaysWhenAnotherActionIsChosenBeforeTheSecondClass) {
+    openDemo();
+    pressKeyOf("label.next");
+    const ActionRef first = *session().selectedAction();
+    const std::size_t steps = document().history().position();
+    pressKeyOf("label.composite");
+    press(Qt::Key_Q);
+    ASSERT_TRUE(labels().find(first)->anyByHand());
+    session().stepAction(-1);
+    const ActionRef second = *session().selectedAction();
+    ASSERT_FALSE(first == second);
+    press(Qt::Key_W);
+    EXPECT_TRUE(labels().find(first)->anyByHand()) << "what was said first is kept";
+    EXPECT_TRUE(labels().find(second)->anyByHand());
+    EXPECT_EQ(document().history().position(), steps + 2);
+}
+
 TEST_F(LabelTest, TwoClassesAreSaidByVInAnyWay) {
     openDemo();
     pressKeyOf("label.next");

@@ -9,6 +9,8 @@
 #include <QSlider>
 #include <QTest>
 
+#include <algorithm>
+
 #include "studio/app/commands.h"
 #include "studio/app/file_actions.h"
 #include "studio/app/message_strip.h"
@@ -58,12 +60,29 @@ TEST_F(ReviewTest, KeysLeadThroughTheSuspectsWorstFirst) {
     EXPECT_LE(session().visible().end - session().visible().begin, 8.0 + 1e-9);
     EXPECT_LT(session().visible().begin, suspects[0].seconds);
     EXPECT_GT(session().visible().end, suspects[0].seconds);
+    // Round among the suspects while there are any, then among the other minima.
+    const auto count = static_cast<std::size_t>(
+        std::count_if(suspects.begin(), suspects.end(),
+                      [](const Suspect& each) { return each.suspicion >= kSuspect; }));
+    ASSERT_GT(count, 0U);
     press(Qt::Key_N);
-    EXPECT_EQ(session().selection(), suspects[1].boundary);
+    EXPECT_EQ(session().selection(), suspects[1 % count].boundary);
     press(Qt::Key_N, Qt::ShiftModifier);
     press(Qt::Key_N, Qt::ShiftModifier);
-    EXPECT_EQ(session().selection(), suspects.back().boundary) << "round at the ends";
+    EXPECT_EQ(session().selection(), suspects[count - 1].boundary) << "round at the ends";
     EXPECT_EQ(session().document().history().position(), 0U);
+    for (std::size_t i = 0; i < suspects.size() && suspectsOf(session())[0].suspicion >= kSuspect;
+         ++i) {
+        session().goTo(suspectsOf(session())[0].boundary);
+        press(Qt::Key_Return);
+    }
+    const auto rest = suspectsOf(session());
+    ASSERT_TRUE(rest[1].isOpen());
+    session().select(std::nullopt);
+    press(Qt::Key_N);
+    EXPECT_EQ(session().selection(), rest[0].boundary);
+    press(Qt::Key_N);
+    EXPECT_EQ(session().selection(), rest[1].boundary);
 }
 
 TEST_F(ReviewTest, ReturnAcceptsForGoodAndBackspaceRemoves) {
@@ -121,6 +140,16 @@ TEST_F(ReviewTest, FromAMinimumThatIsNoSuspectTheMostSuspiciousComesNext) {
     session().goTo(suspects.back().boundary);
     press(Qt::Key_N);
     EXPECT_EQ(session().selection(), suspects.front().boundary);
+    // Back and on among the suspects alone.
+    std::size_t last = 0;
+    while (last + 1 < suspects.size() && suspects[last + 1].suspicion >= kSuspect)
+        ++last;
+    press(Qt::Key_N, Qt::ShiftModifier);
+    EXPECT_EQ(session().selection(), suspects[last].boundary);
+    press(Qt::Key_N, Qt::ShiftModifier);
+    EXPECT_EQ(session().selection(), suspects[last > 0 ? last - 1 : 0].boundary);
+    session().goTo(suspects.front().boundary);
+    session().examine(suspects.front().boundary);
     // What plays shows both actions that meet there.
     const Transport& transport = session().transport();
     EXPECT_TRUE(transport.isLooping());

@@ -90,14 +90,22 @@ bool LabelSession::answer(std::span<const int> actions,
 }
 
 bool LabelSession::set(const std::vector<ActionAnswer>& answers) {
-    if (!together_) {
+    Document& document = session_.document();
+    if (!together_ || !document.isCurrent()) {
         return edit([&](const Project& project, const Analysis& analysis) {
             return setLabels(project, analysis, answers);
         });
     }
+    // Only what is said of the same actions is one step: it takes the place of what was said first.
+    QString gesture = QStringLiteral("two classes");
+    for (const ActionAnswer& answer : answers) {
+        gesture += QStringLiteral(" %1.%2.%3")
+                       .arg(answer.fighter.take)
+                       .arg(answer.fighter.player)
+                       .arg(answer.action);
+    }
     // Labels change no derived value: the analysis is that of the project before, too.
-    Document& document = session_.document();
-    return document.applyLive(QStringLiteral("two classes"), [&](const Project& project) {
+    return document.applyLive(gesture, [&](const Project& project) {
         return setLabels(project, document.analysis(), answers);
     });
 }

@@ -72,9 +72,9 @@ void goToSuspect(Session& session, int direction) {
     const auto now = selected - open.begin();
     // From elsewhere the first step leads to the most suspicious; so it does from what is none
     // while there are any.
-    const bool among =
-        selected != open.end() && (selected->suspicion >= kSuspect || countSuspects(open) == 0);
-    const auto next = among ? (now + direction + count) % count : 0;
+    const auto suspects = countSuspects(open);  // they stand first
+    const auto ring = suspects > 0 ? suspects : count;
+    const auto next = now < ring ? (now + direction + ring) % ring : 0;
     session.examine(open[static_cast<std::size_t>(next)].boundary);
 }
 
