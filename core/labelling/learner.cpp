@@ -137,6 +137,7 @@ struct TrainingSet::Data {
     const Vocabulary& vocabulary;
     LearningSettings settings;
     std::vector<Example> examples;    ///< as given, thinned
+    std::vector<int> handRows;        ///< of all that were given
     std::vector<Label> labels;        ///< of the training rows: examples, then their mirrors
     FeatureMatrix among;              ///< squared distances among the training rows
     FeatureMatrix toAll;              ///< from all rows of the features to the training rows
@@ -194,6 +195,7 @@ TrainingSet::TrainingSet(const Vocabulary& vocabulary, const FeatureMatrix& feat
                          std::vector<Example> examples, const LearningSettings& settings)
     : data_(std::make_unique<Data>(vocabulary, settings)) {
     data_->tasks = learningTasks(vocabulary, settings.limbFirst);
+    data_->handRows = rowsOf(examples);
     data_->examples = thinned(std::move(examples));
     for (const Example& example : data_->examples)
         data_->labels.push_back(example.label);
@@ -360,8 +362,9 @@ double TrainingSet::expectedAccuracy(const ParameterSet& parameters, const Predi
             learntAspectsMatch(data_->vocabulary, examples[i].label, answerOf(answers, row));
         judged.push_back({smallestMargin(answers, row), isRight});
         right += isRight;
-        byHand[static_cast<std::size_t>(examples[i].row)] = true;
     }
+    for (const int row : data_->handRows)
+        byHand[static_cast<std::size_t>(row)] = true;
     const Reliability reliability(judged);
     double sum = 0;
     int rest = 0;

@@ -5,7 +5,8 @@ k=$bin/kumite
 measured() {
     local what=$1 tried=$2
     shift 2
-    row "$what" "$tried" "$(cost "$@")"
+    cost "$@"
+    row "$what" "$tried" "$cost_text"
 }
 hour=$work/hour
 measured "1 h at 120 Hz, two fighters" "made (demo)" "$k" demo --out "$hour" --seconds 3600 --fps 120

@@ -23,7 +23,7 @@ studio() {
     "$bin/kumite-studio" --watch --script "$work/script" "$@" >"$work/done" 2>"$work/said"
 }
 
-# Peak memory in MB and seconds of a command, as "512 MB, 3.1 s".
+# Puts peak memory and seconds of a command into cost_text: "512 MB, 3.1 s".
 cost() {
     local peak=0 now pid from=$EPOCHREALTIME
     "$@" >"$work/cost.out" 2>"$work/cost.err" &
@@ -33,6 +33,6 @@ cost() {
         sleep 0.1
     done
     wait "$pid" || fault "$* ended with $?: $(tail -n 1 "$work/cost.err")"
-    awk -v kb="$peak" -v a="$from" -v b="$EPOCHREALTIME" \
-        'BEGIN {printf "%d MB, %.1f s", kb / 1024, b - a}'
+    cost_text=$(awk -v kb="$peak" -v a="$from" -v b="$EPOCHREALTIME" \
+        'BEGIN {printf "%d MB, %.1f s", kb / 1024, b - a}')
 }

@@ -18,7 +18,9 @@ transport.play
 segment.compare
 save $work/demo/bout.kumite" "$work/demo/bout.kumite" &
     local shell=$!
-    until grep -q boundary.toggle "$work/done" 2>/dev/null; do sleep 0.05; done
+    until grep -q boundary.toggle "$work/done" 2>/dev/null || ! kill -0 "$shell" 2>/dev/null; do
+        sleep 0.05
+    done
     sleep 0.3
     "$@"
     wait "$shell" || fault "the studio ended with $? after $*: $(tail -n 1 "$work/said")"

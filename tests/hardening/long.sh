@@ -34,6 +34,7 @@ while kill -0 "$pid" 2>/dev/null; do
 done
 kill -0 "$pid" 2>/dev/null || wait "$pid" || fault "it ended with $?: $(tail -n 3 "$work/said")"
 acts=$(wc -l <"$work/done")
+[ "$seen" -gt 0 ] || fault "not one round was played"
 kill "$pid" 2>/dev/null || true
 wait "$pid" 2>/dev/null || true
 took=$(awk -v a="$from" -v b="$EPOCHREALTIME" 'BEGIN {printf "%.0f", (b - a) / 60}')
