@@ -85,9 +85,9 @@ TEST_F(WindowTest, DoubleClickAndTheButtonOverABoundaryRemoveAndRestore) {
     EXPECT_FALSE(mark(boundary)->isLive());
     EXPECT_EQ(session().document().history().position(), 1U);
 
-    QTest::mouseMove(&timeline(), at);
+    hover(timeline(), at);
     const QPoint handle = timeline().handleOf(boundary).center().toPoint();
-    QTest::mouseMove(&timeline(), handle);
+    hover(timeline(), handle);
     click(handle);
     EXPECT_TRUE(mark(boundary)->isLive());
     click(handle);

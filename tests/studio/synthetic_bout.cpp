@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QTest>
 #include <QTimer>
+#include <QWindow>
 
 #include <cmath>
 #include <numbers>
@@ -133,6 +134,10 @@ void WindowTest::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
 
 void WindowTest::click(const QPointF& position) {
     QTest::mouseClick(&timeline(), Qt::LeftButton, Qt::NoModifier, position.toPoint());
+}
+
+void WindowTest::hover(QWidget& widget, const QPoint& position) {
+    QTest::mouseMove(widget.window()->windowHandle(), widget.mapTo(widget.window(), position));
 }
 
 void answer(const QString& text, int patience) {

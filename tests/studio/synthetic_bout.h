@@ -37,6 +37,9 @@ protected:
     const BoundaryMark* mark(const BoundaryRef& boundary);
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void click(const QPointF& position);
+    /// Rests the pointer on a widget. The window is told so itself: a move of the real pointer
+    /// (what QTest does for widgets) comes by way of the X server, at its own time.
+    void hover(QWidget& widget, const QPoint& position);
 
     QTemporaryDir folder_;
     std::unique_ptr<MainWindow> window_;

@@ -228,7 +228,7 @@ TEST_F(TimelineTest, ANoteIsWrittenByKeysShownSavedAndUndone) {
     QObject listener;
     QObject::connect(&session(), &Session::hovered, &listener,
                      [&](const QString& text) { said = text; });
-    QTest::mouseMove(&timeline(), timeline().blockOf(action).center().toPoint());
+    hover(timeline(), timeline().blockOf(action).center().toPoint());
     EXPECT_TRUE(said.contains("feint, low")) << said.toStdString();
 
     ASSERT_TRUE(window_->files().saveTo(file("noted.kumite")));

@@ -257,10 +257,10 @@ TEST_F(View3dTest, HoveredJointTellsItsNameAndSpeed) {
     QObject::connect(&session(), &Session::hovered, &listener,
                      [&](const QString& text) { said = text; });
     press(Qt::Key_1, Qt::AltModifier);
-    QTest::mouseMove(&stage(), at(1, Role::LeftKnee).toPoint());
+    hover(stage(), at(1, Role::LeftKnee).toPoint());
     EXPECT_TRUE(said.isEmpty()) << "only the tool asks for joints";
     press(Qt::Key_M);
-    QTest::mouseMove(&stage(), at(1, Role::LeftKnee).toPoint() + QPoint(2, 1));
+    hover(stage(), at(1, Role::LeftKnee).toPoint() + QPoint(2, 1));
     const FighterAnalysis& fighter = *session().fighter(1);
     const double speed =
         jointSpeed(fighter.motion->positions, joint(1, Role::LeftKnee), 120, fighter.input.rate);
