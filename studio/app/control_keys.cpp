@@ -7,7 +7,9 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QListView>
+#include <QMenuBar>
 #include <QTabBar>
 #include <QTableView>
 
@@ -55,6 +57,12 @@ bool worksControl(const QWidget& focused, const QKeyEvent& key) {
     if (sideways && hasRowsAlone(focused)) return false;
     return choices || is<QAbstractSlider>(focused) || is<QAbstractItemView>(focused) ||
            is<QTabBar>(focused) || is<QAbstractSpinBox>(focused);
+}
+
+bool isControl(const QWidget& widget) {
+    return is<QAbstractButton>(widget) || is<QAbstractScrollArea>(widget) ||
+           is<QAbstractSlider>(widget) || is<QAbstractSpinBox>(widget) || is<QComboBox>(widget) ||
+           is<QLineEdit>(widget) || is<QMenuBar>(widget) || is<QTabBar>(widget);
 }
 
 bool pressesButton(QObject* focused, const QKeyEvent& key) {

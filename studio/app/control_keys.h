@@ -13,6 +13,10 @@ namespace kumite::studio {
 /// choices.
 bool worksControl(const QWidget& focused, const QKeyEvent& key);
 
+/// Whether a widget takes keys for itself as fields, buttons and lists do, wherever it stands; the
+/// views, and what is drawn as they are, leave them to commands.
+bool isControl(const QWidget& widget);
+
 /// Return and Enter press the button that has the focus, as Space does: true where one did.
 bool pressesButton(QObject* focused, const QKeyEvent& key);
 

@@ -315,21 +315,19 @@ void MainWindow::changeEvent(QEvent* event) {
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && isInControl()) return leaveControl();
-    const Command* tour = commands_->find(QStringLiteral("help.tour.leave"));
-    if (event->key() == Qt::Key_Escape && tour != nullptr && commands_->isEnabled(*tour))
-        return commands_->run(tour->id);
+    if (event->key() == Qt::Key_Escape) {
+        if (isInControl()) return leaveControl();
+        const Command* tour = commands_->find(QStringLiteral("help.tour.leave"));
+        if (tour != nullptr && commands_->isEnabled(*tour)) return commands_->run(tour->id);
+    }
     QMainWindow::keyPressEvent(event);
 }
 
-/// Whether keys that are meant for the views may be taken by something beside them, such as a
-/// button.
+/// Whether keys that are meant for the views are taken by a control of this window.
 bool MainWindow::isInControl() const {
     const QWidget* focused = QApplication::focusWidget();
-    if (focused == nullptr || focused->window() != this || !columns_->isVisible()) return false;
-    return !stage_->isAncestorOf(focused) && focused != stage_ &&
-           !timeline_->isAncestorOf(focused) && focused != timeline_ &&
-           !centres_->isAncestorOf(focused);
+    return focused != nullptr && focused->window() == this && columns_->isVisible() &&
+           isControl(*focused);
 }
 
 void MainWindow::leaveControl() {
@@ -386,20 +384,16 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
         }
     }
     if (event->type() == QEvent::KeyPress &&
-        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && isInMenuBar(watched)) {
-        leaveControl();  // the bar would keep the key, and itself in force
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape &&
+        qobject_cast<QWidget*>(watched) != nullptr &&
+        menuBar()->isAncestorOf(static_cast<QWidget*>(watched)) && isInControl()) {
+        leaveControl();  // the bar in whose corner it stands would keep the key
         return true;
     }
     if (event->type() == QEvent::KeyPress &&
         pressesButton(watched, *static_cast<QKeyEvent*>(event)))
         return true;
     return QMainWindow::eventFilter(watched, event);
-}
-
-bool MainWindow::isInMenuBar(const QObject* watched) const {
-    const auto* widget = qobject_cast<const QWidget*>(watched);
-    return widget != nullptr && (widget == menuBar() || menuBar()->isAncestorOf(widget)) &&
-           QApplication::activePopupWidget() == nullptr && isInControl();
 }
 
 bool MainWindow::isOfTheViews(const QWidget& focused, const QKeyEvent& key) const {

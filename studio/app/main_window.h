@@ -143,11 +143,12 @@ private:
     QStringList keysHint() const;
     void takeOverLabels();
     void focusMoved(QWidget* from, QWidget* to);
+    /// What findings in the clips of sequences stand under.
+    static QString clipsTitle();
     bool isInControl() const;
     void leaveControl();
     /// Whether a key belongs to commands of the views, and the focus is elsewhere: the top bar, of
     /// which Qt thinks that what its menus hold works everywhere in it.
-    bool isInMenuBar(const QObject* watched) const;
     bool isOfTheViews(const QWidget& focused, const QKeyEvent& key) const;
     bool goesToCommands(const QWidget& field, const QKeyEvent& key) const;
     void showFindingsCount();

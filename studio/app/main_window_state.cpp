@@ -14,11 +14,14 @@ WindowState MainWindow::handOver() {
     files_->finishEdits();
     const Document& document = session_.document();
     if (!document.isOpen()) return {};
+    std::vector<FoundInFiles> findings = findings_.groups();
+    // Found anew, under a title in the other language, once sequences are looked at again.
+    std::erase_if(findings, [](const FoundInFiles& each) { return each.about == clipsTitle(); });
     return {WindowState::Opened{
         document.history(), document.analysis(), document.path(), document.isUnsaved(),
         document.onDisk(), files_->lock(), session_.take(), session_.activePlayer(),
         session_.transport().playhead(), session_.visible(), session_.selection(),
-        session_.selectedAction(), findings_.groups()}};
+        session_.selectedAction(), std::move(findings)}};
 }
 
 void MainWindow::takeOver(WindowState state) {

@@ -161,6 +161,10 @@ void MainWindow::addBoutWorkspace() {
     follow();
 }
 
+QString MainWindow::clipsTitle() {
+    return tr("Clips of sequences");
+}
+
 void MainWindow::addSequenceWorkspace() {
     sequence_ = new SequenceSession(session_, this);
     auto* jobs = findChild<JobBar*>();
@@ -168,7 +172,7 @@ void MainWindow::addSequenceWorkspace() {
         jobs->watch(*runner);
     connect(sequence_, &SequenceSession::failed, strip_, &MessageStrip::showError);
     connect(sequence_, &SequenceSession::libraryChanged, this,
-            [this] { findings_.add(tr("Clips of sequences"), sequence_->findings()); });
+            [this] { findings_.add(clipsTitle(), sequence_->findings()); });
     auto* panel = new SequencePanel(*sequence_, rightPanel_);
     auto* below = new QWidget(rows_);  // in the timeline's place
     auto* strip = new SequenceStrip(*sequence_, below);

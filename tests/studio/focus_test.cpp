@@ -17,8 +17,10 @@
 #include "core/project/report.h"
 #include "studio/app/commands.h"
 #include "studio/app/status_line.h"
+#include "studio/app/workspaces.h"
 #include "studio/timeline/timeline_view.h"
 #include "studio/view3d/stage_view.h"
+#include "studio/workspaces/keyframe/key_strip.h"
 #include "studio/workspaces/segment/segment_panel.h"
 #include "tests/studio/synthetic_bout.h"
 
@@ -110,8 +112,7 @@ TEST_F(WindowTest, ReturnIsTheJobsAgainAfterTheNextSuspectOrEscape) {
     for (auto* widget : window_->findChildren<QWidget*>()) {
         const bool isControl = widget->isVisible() && widget->window() == window_.get() &&
                                widget->focusPolicy() != Qt::NoFocus &&
-                               widget != &window_->timeline() && widget != &window_->stage() &&
-                               !window_->stage().isAncestorOf(widget);
+                               widget != &window_->timeline() && widget != &window_->stage();
         if (!isControl) continue;
         SCOPED_TRACE(std::string(widget->metaObject()->className()) + " " +
                      widget->accessibleName().toStdString());
@@ -136,6 +137,18 @@ TEST_F(WindowTest, ReturnIsTheJobsAgainAfterTheNextSuspectOrEscape) {
         session().document().undo();
     }
     EXPECT_GT(tried, 10);
+}
+
+TEST_F(WindowTest, WhatIsDrawnAsAViewIsNoControl) {
+    openBout();
+    window_->workspaces().show("keyframe");
+    settle();
+    auto* strip = window_->findChild<KeyStrip*>();
+    ASSERT_TRUE(strip->isVisible());
+    strip->setFocus();
+    EXPECT_FALSE(window_->findChild<StatusLine*>()->text().contains("Esc "));
+    QTest::keyClick(strip, Qt::Key_Escape);
+    EXPECT_EQ(QApplication::focusWidget(), strip);
 }
 
 TEST_F(WindowTest, AfterMenusByKeyboardTheNextSuspectCanBeDecided) {
@@ -250,7 +263,7 @@ TEST_F(WindowTest, StatusLineSaysWhatHoldsNow) {
     const BoundaryRef boundary = someBoundary(0);
     session().setVisible({session().timeOf(boundary) - 1, session().timeOf(boundary) + 1});
     const QPoint pointer = timeline().pointOf(boundary).toPoint();
-    QTest::mouseMove(&timeline(), pointer);
+    hover(timeline(), pointer);
     EXPECT_FALSE(statusOf(*window_).contains("removed boundary"));
     session().toggleBoundary(boundary);
     EXPECT_TRUE(statusOf(*window_).contains("removed boundary"));
@@ -269,7 +282,7 @@ TEST_F(WindowTest, AnActionHasOneNumberOnTheScreenAndInTheTable) {
     const auto begin = actions[third].begin;
     session().setVisible({session().timeOf({1, begin}) - 0.2, session().timeOf({1, begin}) + 1.5});
     const QRectF block = timeline().blockOf({1, actions[third].peak});
-    QTest::mouseMove(&timeline(), block.center().toPoint());
+    hover(timeline(), block.center().toPoint());
     EXPECT_TRUE(statusOf(*window_).contains("action 3")) << statusOf(*window_).toStdString();
     const std::string table =
         actionsCsv(session().document().project(), session().document().analysis(), 0);
