@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QHash>
+#include <QMap>
 #include <QRegularExpression>
 #include <QStringList>
 
@@ -20,21 +21,28 @@ struct Pattern {
     CoreText text;
     QString begin;  ///< what precedes the first place
     QRegularExpression expression;
-    QList<int> places;  ///< which %N each group of the expression is
-    qsizetype letters;  ///< of its own
+    QList<int> places;        ///< which %N each group of the expression is
+    QList<qsizetype> quoted;  ///< groups in quotes: names, which stay
+    qsizetype letters;        ///< of its own
 };
 
-Pattern patternOf(const CoreText& of) {
+const QRegularExpression& placeExpression() {
     static const QRegularExpression place(QStringLiteral("%(\\d)"));
+    return place;
+}
+
+Pattern patternOf(const CoreText& of) {
     const QString text = QString::fromUtf8(of.source);
-    Pattern pattern{of, {}, {}, {}, 0};
+    Pattern pattern{of, {}, {}, {}, {}, 0};
     QString expression;
     qsizetype done = 0;
-    for (auto all = place.globalMatch(text); all.hasNext();) {
+    for (auto all = placeExpression().globalMatch(text); all.hasNext();) {
         const QRegularExpressionMatch match = all.next();
         expression += QRegularExpression::escape(text.mid(done, match.capturedStart() - done));
         expression += QStringLiteral("(.+?)");
         if (pattern.places.isEmpty()) pattern.begin = text.left(match.capturedStart());
+        if (match.capturedStart() > 0 && text[match.capturedStart() - 1] == QLatin1Char('"'))
+            pattern.quoted.append(pattern.places.size());
         pattern.places.append(match.captured(1).toInt());
         done = match.capturedEnd();
     }
@@ -102,14 +110,24 @@ std::optional<QString> matched(const Patterns& patterns, const QString& text) {
         if (!text.startsWith(pattern.begin)) continue;
         const QRegularExpressionMatch match = pattern.expression.match(text);
         if (!match.hasMatch()) continue;
-        QString words = QCoreApplication::translate("Core", pattern.text.source);
-        // From the last, so that what is put in is not taken for a place.
-        for (qsizetype i = pattern.places.size(); i > 0; --i) {
-            const QString part = match.captured(static_cast<int>(i));
-            words.replace(QStringLiteral("%%1").arg(pattern.places[i - 1]),
-                          pattern.text.holdsTexts ? translated(part) : partWords(part));
+        QMap<int, QString> parts;
+        for (qsizetype i = 0; i < pattern.places.size(); ++i) {
+            const QString part = match.captured(static_cast<int>(i) + 1);
+            parts[pattern.places[i]] = pattern.text.holdsTexts      ? translated(part)
+                                       : pattern.quoted.contains(i) ? part
+                                                                    : partWords(part);
         }
-        return words;
+        // In one pass: what is put in may itself hold a "%1".
+        const QString words = QCoreApplication::translate("Core", pattern.text.source);
+        QString said;
+        qsizetype done = 0;
+        for (auto all = placeExpression().globalMatch(words); all.hasNext();) {
+            const QRegularExpressionMatch place = all.next();
+            said += words.mid(done, place.capturedStart() - done) +
+                    parts.value(place.captured(1).toInt());
+            done = place.capturedEnd();
+        }
+        return said + words.mid(done);
     }
     return std::nullopt;
 }
