@@ -4,7 +4,6 @@
 #include "studio/workspaces/label/label_session.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -242,14 +241,16 @@ void LabelSession::count() {
         if (action.isSettled()) ++progress_.settled;
     }
     if (curve_.empty()) return;
-    // One round's value trembles by some percent.
-    constexpr std::size_t kRounds = 5;
-    const std::size_t few = std::min(kRounds, curve_.size());
-    progress_.expectedAccuracy =
-        std::accumulate(
-            curve_.end() - static_cast<std::ptrdiff_t>(few), curve_.end(), 0.0,
-            [](double sum, const LearnedPoint& point) { return sum + point.expectedAccuracy; }) /
-        static_cast<double>(few);
+    // One round's value trembles by some percent; those of far fewer labels say nothing of now.
+    constexpr int kNear = 10;  // labels
+    double sum = 0;
+    int near = 0;
+    for (const LearnedPoint& point : curve_) {
+        if (point.labelled + kNear <= curve_.back().labelled) continue;
+        sum += point.expectedAccuracy;
+        ++near;
+    }
+    progress_.expectedAccuracy = sum / near;
     // A round of mayStop is a batch.
     std::vector<double> rounds;
     int labelled = 0;

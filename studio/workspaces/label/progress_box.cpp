@@ -199,9 +199,8 @@ QString ProgressBox::adviceText() const {
     if (progress.byHand < few) return tr("Go on: N leads to the next one that says most.");
     if (labels_.queue().empty()) return tr("What rules say is left to be accepted.");
     if (progress.mayStop) {
-        return tr("More labels by hand will hardly help: accept the sure rest (%1), lower the bar "
-                  "for "
-                  "the others (%2), then look through the least sure (%3).")
+        return tr("More labels by hand will hardly help: accept the sure rest (%1), lower the "
+                  "bar for the others (%2), then look through the least sure (%3).")
             .arg(keyOf_("label.acceptSure"), keyOf_("label.barDown"), keyOf_("label.next"));
     }
     const QStringList unseen = seenOnce();
