@@ -39,7 +39,9 @@ bool runLine(MainWindow& window, const QStringList& words) {
         if (copies.empty()) return false;
         window.files().openRecovered(copies.front());
         waitWhileBusy(window);
-    } else if (window.commands().find(verb) != nullptr) {
+    } else if (const Command* command = window.commands().find(verb)) {
+        if (!window.commands().isEnabled(*command))
+            tell(QStringLiteral("\"%1\" cannot be run now.").arg(verb));
         window.commands().run(verb);
     } else {
         return false;
