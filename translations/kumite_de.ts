@@ -8893,10 +8893,6 @@ Doppelklick oder F2 benennt um, Alt+↑ ↓ oder Ziehen verschiebt.</translation
         <translation>Einen Verdachtsfall berichtigen</translation>
     </message>
     <message>
-        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
-        <translation>Die Minima der Kraft schneiden den Kampf in Aktionen; einige sind falsch. %1 führt zum verdächtigsten und sagt, warum. Sehen Sie es an, %2 spielt ab. %3 behält es, %4 entfernt es.</translation>
-    </message>
-    <message>
         <source>Label an action</source>
         <translation>Eine Aktion labeln</translation>
     </message>
@@ -8931,6 +8927,10 @@ Doppelklick oder F2 benennt um, Alt+↑ ↓ oder Ziehen verschiebt.</translation
     <message>
         <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
         <translation>%1 startet einen Kampf, der nie stattfand, aus dem Gelernten erzeugt. Jede Wahl steht rechts; ein Klick nimmt eine andere. Zurück mit %2, anders weiter mit %3.</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest, plays it and says why; %2 stops. %3 keeps it, %4 removes it.</source>
+        <translation>Die Minima der Kraft schneiden den Kampf in Aktionen; einige sind falsch. %1 führt zum verdächtigsten, spielt es ab und sagt, warum; %2 hält an. %3 behält es, %4 entfernt es.</translation>
     </message>
 </context>
 <context>

@@ -8893,10 +8893,6 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
         <translation>Corriger un suspect</translation>
     </message>
     <message>
-        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
-        <translation>Les minima de la force découpent le combat en actions&#xa0;; quelques-uns sont faux. %1 mène au plus probable et dit pourquoi. Regardez-le, %2 le lit. %3 le garde, %4 le supprime.</translation>
-    </message>
-    <message>
         <source>Label an action</source>
         <translation>Étiqueter une action</translation>
     </message>
@@ -8931,6 +8927,10 @@ Double-clic ou F2 renomme, Alt+↑ ↓ ou glisser la déplace.</translation>
     <message>
         <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
         <translation>%1 lance un combat qui n’a jamais eu lieu, fait de ce qui a été appris. Chaque choix est affiché à droite&#xa0;; un clic en prend un autre. Retour avec %2, continuer autrement avec %3.</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest, plays it and says why; %2 stops. %3 keeps it, %4 removes it.</source>
+        <translation>Les minima de la force découpent le combat en actions&#xa0;; quelques-uns sont faux. %1 mène au plus probable, le lit et dit pourquoi&#xa0;; %2 arrête. %3 le garde, %4 le supprime.</translation>
     </message>
 </context>
 <context>

@@ -8887,10 +8887,6 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
         <translation>疑わしい極小を直す</translation>
     </message>
     <message>
-        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
-        <translation>力の極小が試合を動作に区切りますが、いくつかは誤りです。%1で最も疑わしいものへ進み、理由を示します。見てみましょう。%2で再生。%3で維持、%4で削除します。</translation>
-    </message>
-    <message>
         <source>Label an action</source>
         <translation>動作にラベルを付ける</translation>
     </message>
@@ -8925,6 +8921,10 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
     <message>
         <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
         <translation>%1で、学んだことから作られる、実際にはなかった試合が始まります。選択はすべて右に並び、クリックで別のものを選べます。%2で戻り、%3で別の展開に進みます。</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest, plays it and says why; %2 stops. %3 keeps it, %4 removes it.</source>
+        <translation>力の極小が試合を動作に区切りますが、いくつかは誤りです。%1で最も疑わしいものへ進み、前後を再生して理由を示します。%2で停止。%3で維持、%4で削除します。</translation>
     </message>
 </context>
 <context>

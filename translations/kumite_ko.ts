@@ -8887,10 +8887,6 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
         <translation>의심점 바로잡기</translation>
     </message>
     <message>
-        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
-        <translation>힘의 극소점이 대련을 동작으로 나눕니다. 몇 개는 틀렸습니다. %1을(를) 누르면 가장 유력한 의심점으로 가서 이유를 보여 줍니다. %2(으)로 재생해 살펴보고, %3(으)로 유지하거나 %4(으)로 제거하세요.</translation>
-    </message>
-    <message>
         <source>Label an action</source>
         <translation>동작에 레이블 붙이기</translation>
     </message>
@@ -8925,6 +8921,10 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
     <message>
         <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
         <translation>%1을(를) 누르면 배운 것으로 만든, 실제로는 없던 대련이 시작됩니다. 모든 선택이 오른쪽에 보이고, 클릭하면 다른 것을 고릅니다. %2(으)로 돌아가고, %3(으)로 다르게 계속합니다.</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest, plays it and says why; %2 stops. %3 keeps it, %4 removes it.</source>
+        <translation>힘의 극소점이 대련을 동작으로 나눕니다. 몇 개는 틀렸습니다. %1을(를) 누르면 가장 유력한 의심점으로 가서 재생하고 이유를 보여 줍니다. %2(으)로 멈추고, %3(으)로 유지하거나 %4(으)로 제거하세요.</translation>
     </message>
 </context>
 <context>

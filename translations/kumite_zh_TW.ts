@@ -8887,10 +8887,6 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
         <translation>修正可疑點</translation>
     </message>
     <message>
-        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 removes it.</source>
-        <translation>力的極小值將對打切成動作；少數是錯的。%1 前往最可能有錯的，並說明原因。看看它，%2 播放。%3 保留，%4 移除。</translation>
-    </message>
-    <message>
         <source>Label an action</source>
         <translation>標記動作</translation>
     </message>
@@ -8925,6 +8921,10 @@ Double-click or F2 renames, Alt+↑ ↓ or a drag moves it.</source>
     <message>
         <source>%1 starts a bout that was never fought, made from what was learnt. Every choice stands at the right; a click takes another one. Back with %2, on otherwise with %3.</source>
         <translation>%1 開始一場從未發生過的對打，由所學內容產生。每個選擇都列在右側；按一下改選另一個。%2 後退，%3 換個走向繼續。</translation>
+    </message>
+    <message>
+        <source>The minima of the force cut the bout into actions; a few are wrong. %1 leads to the likeliest, plays it and says why; %2 stops. %3 keeps it, %4 removes it.</source>
+        <translation>力的極小值將對打切成動作；少數是錯的。%1 前往最可能有錯的，播放並說明原因；%2 停止。%3 保留，%4 移除。</translation>
     </message>
 </context>
 <context>

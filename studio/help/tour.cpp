@@ -101,7 +101,7 @@ void Tour::addSteps() {
          [this] {
              return tr("The minima of the force cut the bout into actions; a few are wrong. %1 "
                        "leads "
-                       "to the likeliest and says why. Look at it, %2 plays. %3 keeps it, %4 "
+                       "to the likeliest, plays it and says why; %2 stops. %3 keeps it, %4 "
                        "removes it.")
                  .arg(key("review.next"), key("transport.play"), key("review.accept"),
                       key("review.reject"));
