@@ -1,13 +1,30 @@
 #include "studio/jobs/job_runner.h"
 
+#include <QCoreApplication>
+#include <QEvent>
+
 #include <algorithm>
 #include <atomic>
 #include <new>
 
 #include "core/base/error.h"
 #include "studio/app/core_words.h"
+#include "studio/jobs/queue_edge.h"
 
 namespace kumite::studio {
+
+namespace {
+
+const auto kForRunner = static_cast<QEvent::Type>(QEvent::registerEventType());
+
+/// What a job's thread wants done on the runner's.
+struct ForRunner : QEvent {
+    explicit ForRunner(std::function<void()> what) : QEvent(kForRunner), act(std::move(what)) {}
+
+    std::function<void()> act;
+};
+
+}  // namespace
 
 JobRunner::JobRunner(QObject* parent) : QObject(parent) {}
 
@@ -39,7 +56,7 @@ void JobRunner::launch(const QString& title, std::function<Delivery(const Progre
         progress.report = [this, number, shown](double fraction) {
             const int percent = static_cast<int>(fraction * 100);
             if (shown->exchange(percent) == percent) return;
-            QMetaObject::invokeMethod(this, [this, number, fraction] {
+            post([this, number, fraction] {
                 if (number == latest_ && running_) Q_EMIT progressed(fraction);
             });
         };
@@ -54,11 +71,20 @@ void JobRunner::launch(const QString& title, std::function<Delivery(const Progre
         } catch (const std::exception& exception) {
             error = coreWords(exception.what());
         }
-        QMetaObject::invokeMethod(
-            this, [this, number, delivery, error] { deliver(number, delivery, error); },
-            Qt::QueuedConnection);
+        post([this, number, delivery, error] { deliver(number, delivery, error); });
     };
     jobs_.push_back({number, std::jthread(std::move(run))});
+}
+
+void JobRunner::post(std::function<void()> act) {
+    auto event = std::make_unique<ForRunner>(std::move(act));
+    putsIntoQueue();
+    QCoreApplication::postEvent(this, event.release());
+}
+
+void JobRunner::customEvent(QEvent* event) {
+    takenFromQueue();
+    if (event->type() == kForRunner) static_cast<ForRunner*>(event)->act();
 }
 
 void JobRunner::deliver(int number, const Delivery& delivery, const QString& error) {

@@ -47,6 +47,9 @@ private:
     using Delivery = std::function<void()>;
 
     void launch(const QString& title, std::function<Delivery(const Progress&)> work);
+    /// Has something done on this object's thread; for the jobs' threads.
+    void post(std::function<void()> act);
+    void customEvent(QEvent* event) override;
     void deliver(int number, const Delivery& delivery, const QString& error);
 
     struct Job {

@@ -100,6 +100,37 @@ TEST(JobRunner, ReportsProgressInOrder) {
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
 }
 
+TEST(JobRunner, HoldsWhenWorkIsReplacedAndCancelledInRapidTurn) {
+    const std::vector<int> shared{1, 2, 3, 4};  // read by all, as recordings are
+    JobRunner runner;
+    std::vector<int> sums;
+    int cancelled = 0;
+    QObject::connect(&runner, &JobRunner::progressed, [](double) {});
+    for (int i = 0; i < 200; ++i) {
+        runner.start(
+            QString::number(i),
+            [&shared, i](const Progress& progress) {
+                std::vector<int> own;
+                for (int k = 0; k < 50; ++k) {
+                    progress.update(k / 50.0);
+                    own.push_back(shared[static_cast<std::size_t>(k) % shared.size()] + i);
+                }
+                return own;
+            },
+            [&](std::vector<int> own) { sums.push_back(own.front()); });
+        if (i % 7 == 2) {
+            runner.cancel();
+            ++cancelled;
+        }
+        if (i % 5 == 0) QTest::qWait(1);
+    }
+    idle(runner);
+    ASSERT_FALSE(sums.empty());
+    EXPECT_EQ(sums.back(), 200) << "the latest is delivered, last";
+    EXPECT_TRUE(std::is_sorted(sums.begin(), sums.end()));
+    EXPECT_LE(sums.size(), static_cast<std::size_t>(200 - cancelled));
+}
+
 TEST(JobRunner, DestructionWaitsForTheThread) {
     std::atomic<bool> ended = false;
     {
