@@ -169,6 +169,7 @@ int main(int argc, char** argv) {
     QApplication::setOrganizationName("kumite");
     QApplication::setApplicationName("kumite-studio");
     QApplication::setApplicationVersion(KUMITE_VERSION);
+    QApplication::setDesktopFileName("org.kumite.Studio");  // resources/linux
     QApplication::setWindowIcon(applicationIcon());
     const Wishes wishes = readCommandLine(application);
     const bool picture = !wishes.picture.isEmpty();
