@@ -4295,8 +4295,8 @@ Rückgängig gemacht. Klicken, um bis hierher zu wiederholen.</translation>
         <translation>&lt;b&gt;Prüfen:&lt;/b&gt; %1</translation>
     </message>
     <message>
-        <source>found: %1</source>
-        <translation>gefunden: %1</translation>
+        <source>%1 (found)</source>
+        <translation>%1 (gefunden)</translation>
     </message>
     <message>
         <source>y</source>
@@ -8033,8 +8033,8 @@ Rechtsklick: damit über Aktionen der Zeitleiste malen</translation>
         <translation>live: 1 … 9 spielen Blöcke sofort</translation>
     </message>
     <message>
-        <source> · last by %1, cost %2</source>
-        <translation> · zuletzt mit %1, Kosten %2</translation>
+        <source> · last %1, cost %2</source>
+        <translation> · zuletzt %1, Kosten %2</translation>
     </message>
 </context>
 <context>

@@ -4295,8 +4295,8 @@ Annulé. Cliquez pour rétablir jusqu’ici.</translation>
         <translation>&lt;b&gt;À vérifier&#xa0;:&lt;/b&gt; %1</translation>
     </message>
     <message>
-        <source>found: %1</source>
-        <translation>détecté&#xa0;: %1</translation>
+        <source>%1 (found)</source>
+        <translation>%1 (détecté)</translation>
     </message>
     <message>
         <source>y</source>
@@ -8033,8 +8033,8 @@ Clic droit&#xa0;: en peindre les actions de la ligne de temps</translation>
         <translation>en direct&#xa0;: 1 … 9 jouent des blocs aussitôt</translation>
     </message>
     <message>
-        <source> · last by %1, cost %2</source>
-        <translation> · dernier par %1, coût %2</translation>
+        <source> · last %1, cost %2</source>
+        <translation> · dernière : %1, coût %2</translation>
     </message>
 </context>
 <context>

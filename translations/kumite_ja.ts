@@ -4295,8 +4295,8 @@ Undone. Click to redo up to here.</source>
         <translation>&lt;b&gt;確認:&lt;/b&gt; %1</translation>
     </message>
     <message>
-        <source>found: %1</source>
-        <translation>検出: %1</translation>
+        <source>%1 (found)</source>
+        <translation>%1（検出）</translation>
     </message>
     <message>
         <source>y</source>
@@ -8027,8 +8027,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>ライブ: 1 … 9でブロックをすぐ再生</translation>
     </message>
     <message>
-        <source> · last by %1, cost %2</source>
-        <translation> · 最後は%1、コスト%2</translation>
+        <source> · last %1, cost %2</source>
+        <translation> · 直前は%1、コスト %2</translation>
     </message>
 </context>
 <context>

@@ -4295,8 +4295,8 @@ Undone. Click to redo up to here.</source>
         <translation>&lt;b&gt;확인:&lt;/b&gt; %1</translation>
     </message>
     <message>
-        <source>found: %1</source>
-        <translation>찾음: %1</translation>
+        <source>%1 (found)</source>
+        <translation>%1 (찾음)</translation>
     </message>
     <message>
         <source>y</source>
@@ -8027,7 +8027,7 @@ Right click: paint with it over actions of the timeline</source>
         <translation>라이브: 1 … 9로 블록 바로 재생</translation>
     </message>
     <message>
-        <source> · last by %1, cost %2</source>
+        <source> · last %1, cost %2</source>
         <translation> · 마지막: %1, 비용 %2</translation>
     </message>
 </context>

@@ -4295,8 +4295,8 @@ Undone. Click to redo up to here.</source>
         <translation>&lt;b&gt;請檢查：&lt;/b&gt;%1</translation>
     </message>
     <message>
-        <source>found: %1</source>
-        <translation>求得：%1</translation>
+        <source>%1 (found)</source>
+        <translation>%1（求得）</translation>
     </message>
     <message>
         <source>y</source>
@@ -8027,8 +8027,8 @@ Right click: paint with it over actions of the timeline</source>
         <translation>即時：1 … 9 立即播放區塊</translation>
     </message>
     <message>
-        <source> · last by %1, cost %2</source>
-        <translation> · 上次用%1，成本 %2</translation>
+        <source> · last %1, cost %2</source>
+        <translation> · 上次%1，成本 %2</translation>
     </message>
 </context>
 <context>

@@ -248,13 +248,13 @@ void FighterProperties::showRecording(const Fighter& shown) {
     lines.append(fromPath(shown.recording.path));
     if (shown.motion) {
         lines.append(tr("%1 Hz, frames %2 to %3 of %4, %5 joints")
-                         .arg(shown.rate)
+                         .arg(numberText(shown.rate))
                          .arg(framesOf(shown).begin)
                          .arg(framesOf(shown).end - 1)
                          .arg(shown.motion->frameCount)
                          .arg(shown.motion->skeleton->jointCount()));
         lines.append(tr("one unit is %1 m, %2 is up")
-                         .arg(shown.space.metresPerUnit, 0, 'g', 4)
+                         .arg(numberText(shown.space.metresPerUnit))
                          .arg(shown.space.up == UpAxis::Y ? tr("y") : tr("z")));
     } else {
         lines.append(tr("The recording is missing: File, Find recording."));

@@ -265,7 +265,7 @@ void MainWindow::shareSpace() {
     rows_->setSizes({height - timeline - 1, timeline, timeline, timeline, timeline});
     const int left = withTextSize(width() < 1600 ? 136 : 176);
     // Some languages need more words than others.
-    int right = withTextSize(width() < 1600 ? 240 : 272);
+    int right = withTextSize(width() < 1600 ? 240 : 320);
     for (const auto* page : rightPanel_->findChildren<QScrollArea*>(Qt::FindDirectChildrenOnly)) {
         if (page->widget() == nullptr) continue;
         right = std::max(right, std::min(page->widget()->minimumSizeHint().width(), width() / 3));

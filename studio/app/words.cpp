@@ -66,6 +66,10 @@ QString numberText(double number, int decimals) {
     return QLocale().toString(number, 'f', decimals);
 }
 
+QString numberText(double number) {
+    return QLocale().toString(number, 'g', 6);
+}
+
 QString keyText(const QKeySequence& key) {
     return withSign(key, {{Qt::Key_Left, QChar(u'←')},
                           {Qt::Key_Right, QChar(u'→')},

@@ -16,6 +16,8 @@ struct LockHolder;
 
 /// 0.5 with two decimals → "0.50", "0,50".
 QString numberText(double number, int decimals);
+/// With as many decimals as it has, six digits at most: "0.5", "0,5".
+QString numberText(double number);
 /// 64.25 s → "1:04.250"; minutes, seconds, milliseconds.
 QString timeText(double seconds);
 /// With as many decimals as `step` seconds between two texts need: "1:04", "1:04.2".

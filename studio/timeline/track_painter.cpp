@@ -128,7 +128,7 @@ void TrackPainter::paintForceAxis(const Track& track) {
         painter_.setPen(colours_.secondText);
         painter_.drawText(QRectF(plot.left() - withTextSize(34), y - lineHeight / 2,
                                  withTextSize(29), lineHeight),
-                          Qt::AlignRight | Qt::AlignVCenter, QString::number(weight));
+                          Qt::AlignRight | Qt::AlignVCenter, numberText(weight));
     }
     painter_.setPen(withAlpha(colours_.secondText, 0.9));
     if (track.height().size() == 0) {
@@ -156,7 +156,7 @@ void TrackPainter::paintSpeedAxis(const SpeedRow& row, int player) {
     painter_.setPen(colours_.secondText);
     painter_.drawText(QRectF(row.plot.left() - withTextSize(34), row.plot.top() - 3,
                              withTextSize(29), lineHeight),
-                      Qt::AlignRight, QString::number(row.axis.high));
+                      Qt::AlignRight, numberText(row.axis.high));
     const double left = 12;
     const QString text = row.hands ? tr("hands, m/s") : tr("feet, m/s");
     painter_.drawText(QRectF(left, row.plot.top() - 3, row.plot.left() - left - 30, lineHeight),

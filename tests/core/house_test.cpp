@@ -113,6 +113,27 @@ TEST(House, XmlLivesInTheFormatsAlone) {
     });
 }
 
+TEST(House, NumbersInTheWindowFollowTheLanguage) {
+    // What is measured on standard error, what another program is told; and times of a clock.
+    const std::set<std::string> others{"loop_watch.cpp", "bout_export.cpp", "words.cpp"};
+    const std::filesystem::path studio = test::sourceFolder() / "studio";
+    int files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(studio)) {
+        const std::filesystem::path& path = entry.path();
+        if (path.extension() != ".cpp" || others.contains(path.filename().string())) continue;
+        ++files;
+        const std::string text = test::readText(path);
+        for (const std::string_view line : split(text, '\n')) {
+            const bool formats = line.find(", 'f', ") != std::string_view::npos ||
+                                 line.find(", 'g', ") != std::string_view::npos;
+            EXPECT_FALSE(formats && line.find("QLocale") == std::string_view::npos)
+                << path.filename() << " writes a number as English does; numberText of "
+                << "studio/app/words.h does not: " << trimmed(line);
+        }
+    }
+    EXPECT_GT(files, 100);
+}
+
 TEST(House, VtkLivesInTheViewAlone) {
     forIncludes("studio", [](const std::string& file, const std::string& include) {
         if (file.starts_with("studio/view3d/")) return;

@@ -68,8 +68,8 @@ protected:
 
 TEST_F(ImportTest, LeavesToBeFoundWhatIsLeftBlankAndShowsWhatWasFound) {
     ImportDialog& dialog = openDialog(recordings());
-    EXPECT_EQ(named<QComboBox>("Unit of length of fighter 1")->currentText(), "found: cm");
-    EXPECT_EQ(named<QComboBox>("Up axis of fighter 2")->currentText(), "found: y");
+    EXPECT_EQ(named<QComboBox>("Unit of length of fighter 1")->currentText(), "cm (found)");
+    EXPECT_EQ(named<QComboBox>("Up axis of fighter 2")->currentText(), "y (found)");
     pressOpen();
     EXPECT_EQ(dialog.result(), QDialog::Accepted);
     const TakeRequest request = dialog.request();

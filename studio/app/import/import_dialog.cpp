@@ -308,9 +308,10 @@ void ImportDialog::showFound(const ImportLook& look) {
     for (std::size_t player = 0; player < fighters.size(); ++player) {
         const Survey& survey = look.imported.surveys[player];
         Answers& answers = answers_[player];
-        answers.units->setItemText(0, tr("found: %1").arg(QString::fromStdString(survey.unitName)));
+        answers.units->setItemText(0,
+                                   tr("%1 (found)").arg(QString::fromStdString(survey.unitName)));
         answers.up->setItemText(
-            0, tr("found: %1").arg(survey.space.up == UpAxis::Y ? tr("y") : tr("z")));
+            0, tr("%1 (found)").arg(survey.space.up == UpAxis::Y ? tr("y") : tr("z")));
         if (answers.units->currentIndex() > 0) answers.units->setItemText(0, tr("as found"));
         if (answers.up->currentIndex() > 0) answers.up->setItemText(0, tr("as found"));
         const Motion& motion = *fighters[player].motion;

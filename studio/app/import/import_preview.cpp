@@ -192,7 +192,7 @@ void ImportPreview::paintPlot(QPainter& painter) const {
             painter.drawLine(QPointF(rect.left(), yOf(metres)), QPointF(rect.right(), yOf(metres)));
             painter.setPen(c.secondText);
             painter.drawText(QRectF(0, yOf(metres) - 8, 38, 16), Qt::AlignRight | Qt::AlignVCenter,
-                             QString::number(metres));
+                             numberText(metres));
         }
         QPainterPath curve;
         for (std::size_t i = 0; i < distances.size(); ++i) {

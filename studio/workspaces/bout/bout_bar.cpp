@@ -44,9 +44,8 @@ void BoutBar::showMoment() {
     time_->setText(timeText(tape ? tape->frame() / bout_.rate() : 0));
     const bool back = tape != nullptr && tape->frame() < tape->end();
     end_->setText(back ? tr("of %1").arg(timeText(tape->end() / bout_.rate(), 0.1)) : QString());
-    speed_->setText(bout_.speed() == 1.0
-                        ? QString()
-                        : QString::number(bout_.speed(), 'g', 3) + QStringLiteral("×"));
+    speed_->setText(bout_.speed() == 1.0 ? QString()
+                                         : numberText(bout_.speed()) + QStringLiteral("×"));
 }
 
 }  // namespace kumite::studio

@@ -1,5 +1,7 @@
 #include "studio/workspaces/graph/colour_scale.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <cmath>
 
@@ -31,7 +33,7 @@ QColor ColourScale::colourAt(double position) const {
 
 std::vector<ColourScale::Tick> ColourScale::ticks() const {
     const auto number = [](double value) {
-        QString text = QString::number(value, 'g', 2);
+        QString text = QLocale().toString(value, 'g', 2);
         return text.replace(QLatin1Char('-'), QChar(0x2212));
     };
     std::vector<Tick> ticks;

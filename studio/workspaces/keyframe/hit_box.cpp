@@ -10,6 +10,7 @@
 
 #include "studio/app/core_words.h"
 #include "studio/app/panel_parts.h"
+#include "studio/app/words.h"
 #include "studio/workspaces/keyframe/hit_session.h"
 
 namespace kumite::studio {
@@ -122,7 +123,7 @@ void HitBox::refresh() {
     }
     const auto& motion = hit_.motion();
     if (!motion) return text_->setText({});
-    const QString error = QString::number(100 * motion->error, 'f', 1);
+    const QString error = numberText(100 * motion->error, 1);
     const QString where =
         motion->solution.insideNaturalRegion ? tr("A blend of whole examples reaches it.")
         : hit_.reach().contains(hit_.target())

@@ -9,6 +9,7 @@
 #include "core/motion/blend.h"
 #include "core/project/library_strikes.h"
 #include "studio/app/core_words.h"
+#include "studio/app/words.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
@@ -56,7 +57,7 @@ void HitSession::setOn(bool on) {
 QString HitSession::nameOf(const std::string& strike) const {
     const Vocabulary& vocabulary = *keys_.session().document().project().labelling.vocabulary;
     const auto aspect = vocabulary.find(strike);
-    return QString::fromStdString(aspect ? vocabulary[*aspect].name : strike);
+    return aspect ? vocabularyWords(vocabulary[*aspect].name) : QString::fromStdString(strike);
 }
 
 /// Aspects that strike and that some action has; without labels whole clips and takes.
@@ -152,7 +153,7 @@ void HitSession::setDistance(double metres) {
     HitDraft draft = draft_;
     draft.distance = metres;
     draft.target = targetOf(draft);
-    change(tr("Opponent %1 m away").arg(metres, 0, 'f', 2), draft);
+    change(tr("Opponent %1 m away").arg(numberText(metres, 2)), draft);
 }
 
 std::optional<Eigen::Vector3d> HitSession::targetOf(const HitDraft& draft) const {

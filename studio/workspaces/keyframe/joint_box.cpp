@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "studio/app/panel_parts.h"
+#include "studio/app/words.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
@@ -94,10 +95,10 @@ void JointBox::refresh() {
         const auto limit = jointLimit(rig, *joint);
         const auto bend = jointBend(rig, *joint, turn);
         text = limit && bend ? tr("Bent by %1° of %2°, twisted by %3° of %4° from rest.")
-                                   .arg(kDegrees * bend->swing, 0, 'f', 0)
-                                   .arg(kDegrees * limit->swing, 0, 'f', 0)
-                                   .arg(kDegrees * bend->twist, 0, 'f', 0)
-                                   .arg(kDegrees * limit->twist, 0, 'f', 0)
+                                   .arg(numberText(kDegrees * bend->swing, 0))
+                                   .arg(numberText(kDegrees * limit->swing, 0))
+                                   .arg(numberText(kDegrees * bend->twist, 0))
+                                   .arg(numberText(kDegrees * limit->twist, 0))
                              : tr("This joint has no limits.");
     } else if (editable) {
         text = tr("A chosen joint has rings in the 3D view: drag one to turn it.");

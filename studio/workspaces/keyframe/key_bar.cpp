@@ -47,7 +47,7 @@ void KeyBar::refresh() {
         text += keys_.showsMotion() ? tr(" · the motion") : tr(" · the keys");
     if (keys_.directPose()) text += tr(" · beside it without adjustment");
     if (keys_.missing() > 0.01)
-        text += tr(" · out of reach by %1 cm").arg(100 * keys_.missing(), 0, 'f', 0);
+        text += tr(" · out of reach by %1 cm").arg(numberText(100 * keys_.missing(), 0));
     what_->setText(text);
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/motion/blend.h"
 #include "studio/app/core_words.h"
+#include "studio/app/words.h"
 #include "studio/workspaces/keyframe/key_session.h"
 
 namespace kumite::studio {
@@ -119,7 +120,7 @@ void KeySession::shiftKeys(int from, int to) {
 
 void KeySession::retime(double factor) {
     if (!key_ || factor == 1) return;
-    change(tr("Later keys %1 times as far").arg(factor, 0, 'g', 3),
+    change(tr("Later keys %1 times as far").arg(numberText(factor)),
            [&](KeyDraft& draft) { draft.track = retimed(std::move(draft.track), *key_, factor); });
 }
 

@@ -152,7 +152,7 @@ void MotionBox::refresh() {
                            .arg(keys_.placeOf(body))
                            .arg(body.match.mismatches)
                            .arg(static_cast<int>(draft.track.keys.size()) * kPoseBitCount)
-                           .arg(100 * body.distance, 0, 'f', 0));
+                           .arg(numberText(100 * body.distance, 0)));
     }
     list_->clear();
     for (std::size_t i = 0; found() != nullptr && i < found()->size(); ++i) {
@@ -162,7 +162,7 @@ void MotionBox::refresh() {
             list_);
         item->setToolTip(tr("%1 features differ, %2 cm from the keys")
                              .arg(match.match.mismatches)
-                             .arg(100 * match.distance, 0, 'f', 0));
+                             .arg(numberText(100 * match.distance, 0)));
     }
     for (std::size_t part = 0; part < parts_.size(); ++part) {
         const int kind = draft.places[part].empty() ? static_cast<int>(draft.parts[part]) : kChosen;

@@ -83,7 +83,7 @@ void PoseDialog::showFrame() {
     const int frame = frame_->value();
     ActionTile tile = tileOf(*library_, motion()->clip, {frame, frame + 1});
     tile.title = motions_->currentText();
-    tile.detail = tr("frame %1 at %2 Hz").arg(frame).arg(motion()->clip.rate, 0, 'g', 4);
+    tile.detail = tr("frame %1 at %2 Hz").arg(frame).arg(numberText(motion()->clip.rate));
     view_->show({std::move(tile)});
     time_->setText(timeText(frame / motion()->clip.rate, 0.01));
 }

@@ -10,6 +10,7 @@
 #include "studio/app/comfort.h"
 #include "studio/app/core_words.h"
 #include "studio/app/theme.h"
+#include "studio/app/words.h"
 #include "studio/timeline/lane_painter.h"
 #include "studio/workspaces/label/label_lanes.h"
 #include "studio/workspaces/label/label_review.h"
@@ -291,7 +292,7 @@ void LabelPalette::paintLane(QPainter& painter, const Spot& spot) {
     QString text = vocabularyWords(qualifier.name);
     const bool machine = shown.value.source == LabelSource::Machine;
     if (machine && shown.value.confidence > 0) {
-        text += QStringLiteral("  %1").arg(static_cast<double>(shown.value.confidence), 0, 'f', 2);
+        text += QStringLiteral("  ") + numberText(static_cast<double>(shown.value.confidence), 2);
     }
     painter.setPen(cell.byHand ? c.text : c.secondText);
     const QRect rest = spot.place.adjusted(spot.place.width() / 2 + 14, 0, 0, 0);

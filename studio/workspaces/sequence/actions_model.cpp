@@ -75,7 +75,7 @@ QVariant ActionsModel::data(const QModelIndex& index, int role) const {
                                                         timeText(begin, 1));
         }
         default:
-            return QString::number(action.frames.size() / library.rate, 'f', 1);
+            return numberText(action.frames.size() / library.rate, 1);
     }
 }
 

@@ -7,6 +7,7 @@
 #include "studio/app/panel_parts.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/sequence/sequence_session.h"
+#include "studio/workspaces/sequence/transition_box.h"
 
 namespace kumite::studio {
 
@@ -42,16 +43,14 @@ void SequenceBar::refresh() {
             break;
         case SequenceSession::Showing::Action:
             text = tr("the chosen action, %1 s; Esc: back to the sequence")
-                       .arg(sequence_.length(), 0, 'f', 2);
+                       .arg(numberText(sequence_.length(), 2));
             break;
         case SequenceSession::Showing::Live: {
             const auto& report = sequence_.liveReport();
             text = tr("live: 1 … 9 play blocks at once");
             if (report) {
-                const std::string_view name = methodName(report->method);
-                text += tr(" · last by %1, cost %2")
-                            .arg(QString::fromLatin1(name.data(), qsizetype(name.size())))
-                            .arg(report->cost(), 0, 'f', 1);
+                text += tr(" · last %1, cost %2")
+                            .arg(TransitionBox::wayOf(*report), numberText(report->cost(), 1));
             }
             break;
         }

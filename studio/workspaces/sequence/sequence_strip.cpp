@@ -117,8 +117,7 @@ void SequenceStrip::paintPiece(QPainter& painter, const SequencePiece& piece) co
                      QStringLiteral("%1  %2").arg(piece.block + 1).arg(name));
     painter.setPen(c.secondText);
     const QString seconds =
-        QString::number(piece.frames.size() / sequence_.motion()->clip.rate, 'f', 2) +
-        QStringLiteral(" s");
+        numberText(piece.frames.size() / sequence_.motion()->clip.rate, 2) + QStringLiteral(" s");
     if (painter.fontMetrics().horizontalAdvance(seconds) < text.width())
         painter.drawText(text, Qt::AlignLeft | Qt::AlignBottom, seconds);
 }

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "studio/app/panel_parts.h"
+#include "studio/app/words.h"
 #include "studio/workspaces/sequence/distance_grid_view.h"
 #include "studio/workspaces/sequence/sequence_session.h"
 
@@ -39,6 +40,20 @@ TransitionBox::TransitionBox(SequenceSession& sequence, QWidget* parent)
     refresh();
 }
 
+QString TransitionBox::wayOf(const TransitionReport& report) {
+    switch (report.method) {
+        case TransitionMethod::Bezier:
+            return tr("on a curve");
+        case TransitionMethod::Graph:
+            return report.visited.size() > 1
+                       ? tr("along recorded clips past %1 poses").arg(report.visited.size())
+                       : tr("between poses that are alike");
+        case TransitionMethod::Linear:
+            break;
+    }
+    return tr("straight from pose to pose");
+}
+
 void TransitionBox::refresh() {
     const auto block = sequence_.selectedBlock();
     const SequencePiece* found = nullptr;
@@ -62,16 +77,9 @@ void TransitionBox::refresh() {
     const TransitionReport& report = *found->transition;
     const DraftBlock& planned = sequence_.draft().blocks[static_cast<std::size_t>(*block)];
     const double rate = sequence_.motion()->clip.rate;
-    const QString seconds = QString::number(found->frames.size() / rate, 'f', 2);
-    QString method = tr("straight from pose to pose");
-    if (report.method == TransitionMethod::Bezier) method = tr("on a curve");
-    if (report.method == TransitionMethod::Graph) {
-        method = report.visited.size() > 1
-                     ? tr("along recorded clips past %1 poses").arg(report.visited.size())
-                     : tr("between poses that are alike");
-    }
+    const QString seconds = numberText(found->frames.size() / rate, 2);
     text_->setText(tr("To %1: %2 s, %3%4")
-                       .arg(sequence_.titleOf(planned), seconds, method,
+                       .arg(sequence_.titleOf(planned), seconds, wayOf(report),
                             planned.locked ? tr(". Locked.") : QStringLiteral(".")));
     const auto add = [&](const QString& text, bool taken, bool wished) {
         auto* item = new QListWidgetItem(
@@ -90,7 +98,7 @@ void TransitionBox::refresh() {
         add(clips == 0 ? tr("path %1 · they meet as they are").arg(i + 1)
                        : tr("path %1 · cost %2 · clips: %3")
                              .arg(i + 1)
-                             .arg(path.cost, 0, 'f', 1)
+                             .arg(numberText(path.cost, 1))
                              .arg(clips),
             report.chosen == static_cast<int>(i), request.path == static_cast<int>(i));
     }

@@ -5,6 +5,10 @@
 class QLabel;
 class QListWidget;
 
+namespace kumite {
+struct TransitionReport;
+}
+
 namespace kumite::studio {
 
 class DistanceGridView;
@@ -17,6 +21,9 @@ class TransitionBox : public QWidget {
 
 public:
     explicit TransitionBox(SequenceSession& sequence, QWidget* parent = nullptr);
+
+    /// How a transition goes, in words: "on a curve".
+    static QString wayOf(const TransitionReport& report);
 
 private:
     void refresh();
