@@ -42,7 +42,12 @@ void paintCandidateRow(QPainter& painter, const QStyleOptionViewItem& option,
     font.setBold(false);
     font.setPointSizeF(std::max(7.5, font.pointSizeF() - 1.0));
     painter.setFont(font);
-    const double count = row.count.isEmpty() ? 0 : 30;
+    // As wide in every row, so that the bars stand below each other.
+    const QFontMetrics metrics = painter.fontMetrics();
+    const double count = row.count.isEmpty()
+                             ? 0
+                             : std::max(metrics.horizontalAdvance(QStringLiteral("n 000")),
+                                        metrics.horizontalAdvance(row.count) + 4);
     const double width = (area.width() - count) / static_cast<double>(row.bars.size());
     for (int i = 0; i < row.bars.size(); ++i) {
         const QRectF box(area.left() + i * width, area.top() + line + 2, width - 4, line - 2);

@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QHeaderView>
+#include <QScreen>
 #include <QTableView>
 
 #include <algorithm>
@@ -49,6 +50,11 @@ int withTextSize(int pixels) {
 
 double withTextSize(double pixels) {
     return pixels * size / 100;
+}
+
+QSize roomFor(const QWidget& dialog, QSize size) {
+    const QSize wished(withTextSize(size.width()), withTextSize(size.height()));
+    return wished.boundedTo(dialog.screen()->availableSize() - QSize(40, 80));
 }
 
 void rescale(QWidget& root, double ratio) {

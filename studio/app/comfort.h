@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QSize>
+
 class QWidget;
 
 namespace kumite::studio {
@@ -11,6 +13,9 @@ int textSize();
 /// A length in pixels that goes along with the size of text.
 int withTextSize(int pixels);
 double withTextSize(double pixels);
+/// The size of a dialog that was made for text of 100 %: larger with the text, as far as the screen
+/// that it comes up on has room.
+QSize roomFor(const QWidget& dialog, QSize size);
 /// Brings widths, heights, rows and icons that were given in pixels, below a widget, to another
 /// size of text.
 void rescale(QWidget& root, double ratio);

@@ -17,6 +17,7 @@
 #include "core/project/edits.h"
 #include "core/project/project_file.h"
 #include "studio/app/body_models.h"
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/core_words.h"
 #include "studio/app/language.h"
@@ -73,7 +74,7 @@ FighterProperties::FighterProperties(Session& session, const CommandTable& comma
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setWidget(content_);
     layout->addWidget(scroll, 1);
-    resize(380, 620);
+    resize(roomFor(*this, {380, 620}));
 
     connect(who_, &QComboBox::currentIndexChanged, this, [this](int player) {
         if (!filling_ && player >= 0) session_.setActivePlayer(player);
@@ -90,7 +91,7 @@ QDoubleSpinBox* FighterProperties::addNumber(const QString& name, const QString&
     field->setLocale(fieldLocale());
     field->setKeyboardTracking(false);
     field->setAlignment(Qt::AlignRight);
-    field->setFixedWidth(120);
+    field->setFixedWidth(withTextSize(120));
     field->setAccessibleName(name);
     field->setToolTip(tip);
     field->setFocusPolicy(Qt::StrongFocus);

@@ -5,6 +5,8 @@
 #include <QPixmap>
 #include <QSvgRenderer>
 
+#include <utility>
+
 // The resources live in a static library: without this the linker drops them.
 static void initResources() {
     Q_INIT_RESOURCE(studio);
@@ -42,9 +44,10 @@ QPixmap linePixmap(const QString& name, const QColor& colour, int size, double r
 
 QIcon lineIcon(const QString& name, const QColor& colour) {
     QIcon icon;
-    for (const double ratio : {1.0, 2.0}) {
-        icon.addPixmap(linePixmap(name, colour, 16, ratio));
-        QPixmap faint = linePixmap(name, colour, 16, ratio);
+    // Those that are twice as large go along with larger text.
+    for (const auto& [size, ratio] : {std::pair{16, 1.0}, {16, 2.0}, {32, 1.0}, {32, 2.0}}) {
+        icon.addPixmap(linePixmap(name, colour, size, ratio));
+        QPixmap faint = linePixmap(name, colour, size, ratio);
         QPainter painter(&faint);
         painter.setCompositionMode(QPainter::CompositionMode_DestinationIn);
         painter.fillRect(faint.rect(), QColor(0, 0, 0, 90));

@@ -260,7 +260,8 @@ void MainWindow::shareSpace() {
     // what is to be seen in it.
     const int height = pages_->height();
     const int wished = std::min(timelineBox_->sizeHint().height(), 2 * height / 5);
-    const int timeline = std::max(std::clamp(height / 4 - 12, 170, 300), wished);
+    const int least = std::min(withTextSize(170), 2 * height / 5);
+    const int timeline = std::max(std::clamp(height / 4 - 12, least, std::max(least, 300)), wished);
     // The timeline, and what takes its place in the workspaces of made motions.
     rows_->setSizes({height - timeline - 1, timeline, timeline, timeline, timeline});
     const int left = withTextSize(width() < 1600 ? 136 : 176);

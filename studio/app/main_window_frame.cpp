@@ -10,6 +10,7 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QStyleOptionMenuItem>
 #include <QTableView>
 #include <QTimer>
 #include <QToolButton>
@@ -65,15 +66,20 @@ void MainWindow::layOutTopBar() {
 /// No menu is pushed out by the tabs.
 void MainWindow::fitTopBar() {
     if (tabs_ == nullptr) return;
-    constexpr int kAroundMenu = 20, kRest = 90;  // the palette's button and margins
+    const int rest = withTextSize(90);  // the palette's button and margins
+    const QStyle& style = *menuBar()->style();
+    QStyleOptionMenuItem item;
+    item.initFrom(menuBar());
     int menus = 0;
     for (const QAction* menu : menuBar()->actions()) {
-        if (menu->isVisible())
-            menus += menuBar()->fontMetrics().horizontalAdvance(
-                         QString(menu->text()).remove(QLatin1Char('&'))) +
-                     kAroundMenu;
+        if (!menu->isVisible()) continue;
+        item.text = menu->text();
+        const QSize words = menuBar()->fontMetrics().size(Qt::TextShowMnemonic, item.text);
+        menus += style.sizeFromContents(QStyle::CT_MenuBarItem, &item, words, menuBar()).width() +
+                 style.pixelMetric(QStyle::PM_MenuBarItemSpacing, &item, menuBar());
     }
-    tabs_->setCompact(menus + tabs_->widthWithNames() + kRest > width());
+    tabs_->setCompact(false);
+    tabs_->setCompact(menus + tabs_->sizeHint().width() + rest > width());
     // The menu bar gives its corner another place only when it is resized; the tab that is shown
     // may be the only one with a name.
     QResizeEvent again(menuBar()->size(), menuBar()->size());

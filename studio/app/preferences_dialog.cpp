@@ -13,6 +13,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include "studio/app/comfort.h"
 #include "studio/app/commands.h"
 #include "studio/app/key_editor.h"
 #include "studio/app/language.h"
@@ -42,7 +43,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, CommandTable& com
                                      QWidget* parent)
     : QDialog(parent), preferences_(preferences), pages_(new QTabWidget(this)) {
     setWindowTitle(tr("Preferences"));
-    resize(640, 560);
+    resize(roomFor(*this, {640, 560}));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);
     layout->setSpacing(12);
@@ -169,10 +170,10 @@ QWidget* PreferencesDialog::makeGeneralPage() {
           static_cast<QAbstractSpinBox*>(autosave)}) {
         box->setLocale(fieldLocale());
         box->setKeyboardTracking(false);
-        box->setMinimumWidth(120);
+        box->setMinimumWidth(withTextSize(120));
     }
-    theme->setMinimumWidth(160);
-    language->setMinimumWidth(160);
+    theme->setMinimumWidth(withTextSize(160));
+    language->setMinimumWidth(withTextSize(160));
     connect(&preferences_, &Preferences::changed, page, show);
     connect(theme, &QComboBox::currentIndexChanged, page,
             [this](int index) { preferences_.setTheme(static_cast<ThemeChoice>(index)); });

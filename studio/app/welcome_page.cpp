@@ -69,8 +69,9 @@ WelcomePage::WelcomePage(CommandTable& commands, QWidget* parent)
     auto* page = new QWidget(this);
     auto* picture = new WelcomePicture(page);
     auto* column = new QWidget(page);
-    column->setMinimumWidth(picture->width());
-    column->setMaximumWidth(std::max(picture->width(), withTextSize(picture->width())));
+    column->setMinimumWidth(picture->sizeHint().width());
+    column->setMaximumWidth(
+        std::max(picture->sizeHint().width(), withTextSize(picture->sizeHint().width())));
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 16, 0, 16);
     layout->setSpacing(6);

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <vector>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 
 namespace kumite::studio {
@@ -141,7 +142,7 @@ void drawRow(QPainter& painter, const QRectF& area, const Row& row, const QColor
 }  // namespace
 
 WelcomePicture::WelcomePicture(QWidget* parent) : QWidget(parent) {
-    setFixedSize(sizeHint());
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // it does not grow with the text
     setAccessibleName(
         tr("Two fighters over the curves of their contact force, which is cut into "
            "actions at its minima"));
@@ -155,6 +156,9 @@ void WelcomePicture::paintEvent(QPaintEvent*) {
     const Colours& c = coloursFor(palette());
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 100 / textSize());
+    painter.setFont(small);
     QPainterPath frame;
     frame.addRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 8, 8);
     painter.fillPath(frame, c.ground);

@@ -92,14 +92,6 @@ WorkspaceBar::WorkspaceBar(Workspaces& workspaces, QWidget* parent)
     fill();
 }
 
-int WorkspaceBar::widthWithNames() const {
-    constexpr int kBesideName = 36;  // icon, margins and the gap to the next
-    int width = 0;
-    for (const Workspace& workspace : workspaces_.all())
-        width += fontMetrics().horizontalAdvance(workspace.name) + kBesideName;
-    return width;
-}
-
 void WorkspaceBar::setCompact(bool compact) {
     if (compact == compact_) return;
     compact_ = compact;

@@ -64,8 +64,6 @@ class WorkspaceBar : public QWidget {
 public:
     explicit WorkspaceBar(Workspaces& workspaces, QWidget* parent = nullptr);
 
-    /// How wide it is with all names.
-    int widthWithNames() const;
     /// Only the workspace that is shown has its name: menus need the room.
     void setCompact(bool compact);
 

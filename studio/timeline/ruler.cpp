@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/words.h"
 #include "studio/timeline/loop_handles.h"
 
@@ -20,11 +21,11 @@ struct Scale {
 };
 
 Scale scaleOf(const TimeMapping& mapping, const Fighter* fighter, RulerUnits units) {
-    constexpr double kApart = 104;  // pixels
+    const double apart = withTextSize(104.0);  // pixels
     if (units != RulerUnits::Frames || fighter == nullptr) {
-        return {rulerStep(mapping.pixelsPerSecond(), kApart), 0};
+        return {rulerStep(mapping.pixelsPerSecond(), apart), 0};
     }
-    return {frameStep(mapping.pixelsPerSecond() / fighter->rate, kApart) / fighter->rate,
+    return {frameStep(mapping.pixelsPerSecond() / fighter->rate, apart) / fighter->rate,
             fighter->offset};
 }
 

@@ -140,6 +140,7 @@ void TrackPainter::paintForceAxis(const Track& track) {
                           tr("%1 m").arg(numberText(metres, 1)));
     };
     height(track.heightAxis().high, plot.top() - 3);
+    if (plot.height() < 2 * lineHeight - 6) return painter_.setFont(font);  // no room for both
     height(track.heightAxis().low, plot.bottom() - lineHeight + 3);
     painter_.setFont(font);
 }

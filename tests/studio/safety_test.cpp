@@ -117,10 +117,13 @@ TEST_F(SafetyTest, VersionsAreListedAndRestoredAsAnEdit) {
     QTest::keyClick(list, Qt::Key_Down);
     QTest::keyClick(dialog, Qt::Key_Return);
     settle();
-    EXPECT_EQ(session().document().project(), first);
+    std::string steps;
+    for (const auto& step : session().document().history().steps())
+        steps += step.name + "; ";
+    EXPECT_EQ(session().document().project(), first) << steps << window_->messages().text().toStdString();
     EXPECT_TRUE(session().document().isModified());
     session().document().undo();
-    EXPECT_EQ(session().document().project(), last);
+    EXPECT_EQ(session().document().project(), last) << steps;
     EXPECT_FALSE(session().document().isModified());
 }
 

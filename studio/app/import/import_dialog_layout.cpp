@@ -13,6 +13,7 @@
 #include <QScrollArea>
 #include <QTabWidget>
 
+#include "studio/app/comfort.h"
 #include "studio/app/import/import_dialog.h"
 #include "studio/app/import/import_preview.h"
 #include "studio/app/import/role_table.h"
@@ -24,7 +25,7 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr int kFieldWidth = 104;
+constexpr int kFieldWidth = 104;  ///< at text of 100 %
 
 QLabel* fighterLabel(int player, QWidget* parent) {
     const Colours& c = coloursFor(parent->palette());
@@ -42,7 +43,7 @@ QLineEdit* ImportDialog::makeField(const QString& name, const QString& hint, con
     field->setAccessibleName(name);
     field->setPlaceholderText(hint);
     field->setToolTip(tip);
-    field->setFixedWidth(kFieldWidth);
+    field->setFixedWidth(withTextSize(kFieldWidth));
     field->setAcceptDrops(false);
     connect(field, &QLineEdit::textChanged, this, [this] {
         looksOld_ = true;
@@ -55,7 +56,7 @@ QComboBox* ImportDialog::makeChoice(const QString& name, const QString& tip) {
     auto* box = new QComboBox(this);
     box->setAccessibleName(name);
     box->setToolTip(tip);
-    box->setFixedWidth(kFieldWidth);
+    box->setFixedWidth(withTextSize(kFieldWidth));
     connect(box, &QComboBox::currentIndexChanged, this, [this] {
         looksOld_ = true;
         soon_.start();
@@ -143,7 +144,7 @@ QWidget* ImportDialog::makeQuestions(const QString& project) {
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(6);
     name_ = makeField(tr("Take name"), {}, tr("How the take is called in the project"));
-    name_->setFixedWidth(2 * kFieldWidth + 8);
+    name_->setFixedWidth(2 * withTextSize(kFieldWidth) + 8);
     rate_ = makeField(tr("Rate in Hz"), tr("as the header"),
                       tr("True frame rate, where the header is wrong: the preview shows it"));
     frames_ = makeField(tr("Frames, begin:end"), tr("found"),
@@ -250,7 +251,7 @@ void ImportDialog::layOut(const QString& project) {
     layout->addLayout(row);
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(open_, &QPushButton::clicked, this, &ImportDialog::accept);
-    resize(1080, 680);
+    resize(roomFor(*this, {1080, 680}));
 }
 
 }  // namespace kumite::studio

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 
@@ -101,12 +102,14 @@ void ImportPreview::goTo(double seconds) {
 
 QRectF ImportPreview::plotRect() const {
     const bool has = look_ && !look_->distances.empty();
-    const double height = has ? kPlotHeight : 24;
-    return QRectF(44, this->height() - height, width() - 56, height - 22);
+    const double line = fontMetrics().height();
+    const double left = withTextSize(44);
+    const double height = has ? withTextSize(kPlotHeight) : line + 8;
+    return QRectF(left, this->height() - height, width() - left - 12, height - line - 6);
 }
 
 QRectF ImportPreview::viewRect(bool fromAbove) const {
-    const double bottom = plotRect().top() - kGap - 14;
+    const double bottom = plotRect().top() - kGap - fontMetrics().height();
     const double half = (width() - kGap) / 2.0;
     return {fromAbove ? 0.0 : half + kGap, 0, half, bottom};
 }
@@ -117,7 +120,7 @@ void ImportPreview::paintView(QPainter& painter, bool fromAbove) const {
     painter.save();
     painter.setClipRect(rect);
     painter.fillRect(rect, c.ground);
-    const QRectF inner = rect.adjusted(8, 22, -8, -8);
+    const QRectF inner = rect.adjusted(8, fontMetrics().height() + 6, -8, -8);
     const Mapping map = mappingFor(*look_, inner, fromAbove);
     painter.setPen(QPen(c.line, 1));
     // A grid of metres; from the side the floor alone.
@@ -171,19 +174,23 @@ void ImportPreview::paintPlot(QPainter& painter) const {
         return rect.left() + rect.width() * (seconds - look_->span.begin) / length;
     };
     painter.setPen(c.secondText);
+    const double line = fontMetrics().height();
     const QString time = timeText(seconds_);
-    painter.drawText(
-        QRectF(0, rect.top() - 18, width() - 4, 16), Qt::AlignRight | Qt::AlignVCenter,
+    const QString now =
         distances.empty()
             ? time
-            : tr("%1   distance %2 m").arg(time, numberText(look_->distanceAt(seconds_), 2)));
-    const double step = niceStep(length, 6);
+            : tr("%1   distance %2 m").arg(time, numberText(look_->distanceAt(seconds_), 2));
+    const QRectF caption(0, rect.top() - line - 2, width() - 4, line);
+    painter.drawText(caption, Qt::AlignRight | Qt::AlignVCenter, now);
+    const double step = niceStep(length, std::min(6.0, rect.width() / withTextSize(64.0)));
     if (!distances.empty()) {
-        painter.drawText(QRectF(0, rect.top() - 18, width(), 16), Qt::AlignLeft | Qt::AlignVCenter,
-                         tr("distance of the pelvises, m"));
+        const double rest = caption.width() - fontMetrics().horizontalAdvance(now) - 8;
+        painter.drawText(caption, Qt::AlignLeft | Qt::AlignVCenter,
+                         fontMetrics().elidedText(tr("distance of the pelvises, m"), Qt::ElideRight,
+                                                  static_cast<int>(rest)));
         const double high = *std::max_element(distances.begin(), distances.end());
         const double most = std::max(0.5, high * 1.1);
-        const double rung = niceStep(most, 2.5);
+        const double rung = niceStep(most, std::min(2.5, rect.height() / line));
         const auto yOf = [&](double metres) {
             return rect.bottom() - rect.height() * metres / most;
         };
@@ -191,8 +198,8 @@ void ImportPreview::paintPlot(QPainter& painter) const {
             painter.setPen(c.line);
             painter.drawLine(QPointF(rect.left(), yOf(metres)), QPointF(rect.right(), yOf(metres)));
             painter.setPen(c.secondText);
-            painter.drawText(QRectF(0, yOf(metres) - 8, 38, 16), Qt::AlignRight | Qt::AlignVCenter,
-                             numberText(metres));
+            painter.drawText(QRectF(0, yOf(metres) - line / 2, rect.left() - 6, line),
+                             Qt::AlignRight | Qt::AlignVCenter, numberText(metres));
         }
         QPainterPath curve;
         for (std::size_t i = 0; i < distances.size(); ++i) {
@@ -209,8 +216,9 @@ void ImportPreview::paintPlot(QPainter& painter) const {
     painter.setPen(c.secondText);
     for (double at = std::ceil(look_->span.begin / step) * step; at <= look_->span.end;
          at += step) {
-        painter.drawText(QRectF(xOf(at) - 40, rect.bottom() + 3, 80, 18), Qt::AlignHCenter,
-                         timeText(at, step));
+        painter.drawText(
+            QRectF(xOf(at) - withTextSize(40), rect.bottom() + 3, withTextSize(80), line),
+            Qt::AlignHCenter, timeText(at, step));
     }
     painter.setPen(QPen(c.accent, 1.5));
     painter.drawLine(QPointF(xOf(seconds_), rect.top()), QPointF(xOf(seconds_), rect.bottom()));

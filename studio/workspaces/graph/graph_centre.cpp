@@ -12,6 +12,7 @@
 #include <array>
 #include <utility>
 
+#include "studio/app/flow_row.h"
 #include "studio/app/words.h"
 #include "studio/workspaces/graph/matrix_page.h"
 #include "studio/workspaces/graph/node_page.h"
@@ -66,7 +67,7 @@ GraphCentre::GraphCentre(GraphSession& graph, QWidget* parent)
 
 QWidget* GraphCentre::makeHeader() {
     auto* header = new QWidget(this);
-    auto* row = new QHBoxLayout(header);
+    auto* row = new FlowRow(header);
     row->setContentsMargins(8, 0, 8, 0);
     row->setSpacing(4);
     const auto addButton = [&](QButtonGroup* group, int id, const QString& text,
@@ -92,7 +93,7 @@ QWidget* GraphCentre::makeHeader() {
     }
     connect(moverButtons_, &QButtonGroup::idClicked, this,
             [this](int id) { graph_.session().setActivePlayer(id); });
-    row->addStretch(1);
+    row->addSpacing(8);
     versus_->addItems({tr("compared with nothing"), tr("with the other fighter"),
                        tr("with labels by hand alone"), tr("with EQU7"), tr("with EQU6"),
                        tr("with EQU5")});

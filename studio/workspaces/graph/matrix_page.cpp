@@ -77,7 +77,7 @@ void MatrixPage::layOut() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    QHBoxLayout* row = addChooserRow(*layout);
+    FlowRow* row = addChooserRow(*layout);
     for (QComboBox* box : {rows_, sort_, values_, how_}) {
         box->setFocusPolicy(Qt::TabFocus);
         box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -85,7 +85,6 @@ void MatrixPage::layOut() {
         row->addWidget(box);
     }
     row->addWidget(logarithmic_);
-    row->addStretch(1);
     auto* matrices = new QHBoxLayout;
     matrices->setSpacing(1);
     for (const int number : {0, 1}) {

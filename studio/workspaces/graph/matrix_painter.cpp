@@ -187,11 +187,14 @@ void MatrixPainter::paintLegend(const QRectF& area, const QString& caption) {
         painter_.fillRect(QRectF(left + x, bar.top(), 1.2, barHeight),
                           scale_.colourAt(both ? 2 * share - 1 : share));
     }
+    double free = area.left();  // what is right of the last number
     for (const ColourScale::Tick& tick : scale_.ticks()) {
         const double share = both ? 0.5 * (tick.position + 1) : tick.position;
         const double x = left + share * width;
         const double room = metrics.horizontalAdvance(tick.text) + 2;
         const double from = std::clamp(x - room / 2, left, area.right() - room);
+        if (from < free) continue;
+        free = from + room + 4;
         painter_.drawText(QRectF(from, bar.bottom() + 1, room, metrics.height()), Qt::AlignCenter,
                           tick.text);
     }

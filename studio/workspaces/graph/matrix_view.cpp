@@ -70,7 +70,7 @@ MatrixGrid MatrixView::headersFor(MatrixGrid grid, double mostName) const {
 
 void MatrixView::layOut() {
     MatrixGrid grid = grid_;
-    grid.view = QSizeF(viewport()->width(), std::max(0.0, viewport()->height() - kLegend));
+    grid.view = QSizeF(viewport()->width(), std::max(0.0, viewport()->height() - legend()));
     grid = headersFor(grid, std::clamp(0.34 * grid.view.width(), 90.0, 190.0));
     if (!zoomed_) {
         // All of it where its names can still be read, else as much as there is room for.
@@ -142,7 +142,7 @@ void MatrixView::paintEvent(QPaintEvent*) {
         if (!isEmpty()) {
             matrix.paint();
             matrix.paintLegend(
-                QRectF(8, grid_.view.height() + 3, viewport()->width() - 16, kLegend - 4),
+                QRectF(8, grid_.view.height() + 3, viewport()->width() - 16, legend() - 4),
                 caption_);
         }
         stillValid_ = true;
@@ -160,7 +160,7 @@ void MatrixView::paintEvent(QPaintEvent*) {
 QSize MatrixView::wholeSize() const {
     const MatrixGrid grid = headersFor(grid_, 400);
     return {static_cast<int>(grid.rowHeader + std::max(14.0, grid.cell) * grid.columns) + 8,
-            static_cast<int>(grid.columnHeader + std::max(14.0, grid.cell) * grid.rows + kLegend)};
+            static_cast<int>(grid.columnHeader + std::max(14.0, grid.cell) * grid.rows + legend())};
 }
 
 void MatrixView::paintWhole(QPainter& painter, const Colours& colours) const {
@@ -168,12 +168,12 @@ void MatrixView::paintWhole(QPainter& painter, const Colours& colours) const {
     grid.cell = std::max(14.0, grid.cell);
     grid.scroll = {};
     const QSizeF whole = wholeSize();
-    grid.view = QSizeF(whole.width(), whole.height() - kLegend);
+    grid.view = QSizeF(whole.width(), whole.height() - legend());
     painter.fillRect(QRectF(QPointF(), whole), colours.ground);
     painter.setFont(cellFont());
     MatrixPainter matrix(painter, table_, order_, grid, scale_, colours);
     matrix.paint();
-    matrix.paintLegend(QRectF(8, grid.view.height() + 3, whole.width() - 16, kLegend - 4),
+    matrix.paintLegend(QRectF(8, grid.view.height() + 3, whole.width() - 16, legend() - 4),
                        caption_);
 }
 

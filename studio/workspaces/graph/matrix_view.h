@@ -3,6 +3,7 @@
 #include <QAbstractScrollArea>
 #include <QPixmap>
 
+#include <algorithm>
 #include <optional>
 
 #include "studio/workspaces/graph/matrix_painter.h"
@@ -60,7 +61,8 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
-    static constexpr double kLegend = 30;
+    /// Height of the scale of colours below, pixels.
+    double legend() const { return std::max(30.0, 17.0 + fontMetrics().height()); }
 
     void layOut();
     void setGrid(const MatrixGrid& grid);

@@ -2,12 +2,14 @@
 
 #include <QCheckBox>
 #include <QEvent>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 
 #include <algorithm>
 
+#include "studio/app/comfort.h"
 #include "studio/app/theme.h"
 #include "studio/app/words.h"
 #include "studio/view3d/graph_view.h"
@@ -90,23 +92,25 @@ void NodePage::layOut() {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
-    QHBoxLayout* row = addChooserRow(*layout);
+    FlowRow* row = addChooserRow(*layout);
     row->addWidget(space_);
     row->addWidget(cross_);
     row->addWidget(difference_);
     const auto addSlider = [&](QLabel* text, QSlider* slider, const QString& widest) {
         text->setProperty("role", "second");
         text->setMinimumWidth(fontMetrics().horizontalAdvance(widest));
-        slider->setMaximumWidth(110);
-        slider->setMinimumWidth(50);
+        slider->setFixedWidth(withTextSize(64));
         slider->setFocusPolicy(Qt::TabFocus);
-        row->addSpacing(4);
-        row->addWidget(text);
-        row->addWidget(slider, 1);
+        auto* pair = new QWidget(this);
+        auto* both = new QHBoxLayout(pair);
+        both->setContentsMargins(4, 0, 0, 0);
+        both->setSpacing(4);
+        both->addWidget(text);
+        both->addWidget(slider);
+        row->addWidget(pair);
     };
     addSlider(leastText_, least_, tr("ΔP ≥ 0.000"));
     addSlider(mostText_, most_, tr("12 a node"));
-    row->addStretch(1);
     layout->addWidget(view_, 1);
 }
 

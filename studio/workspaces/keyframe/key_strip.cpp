@@ -122,8 +122,9 @@ void KeyStrip::paintHit(QPainter& painter) const {
     painter.drawEllipse(at, 7, 7);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(c.secondText);
-    painter.drawText(QRectF(at.x() - 60, at.y() + 9, 120, 18), Qt::AlignCenter,
-                     tr("hit, %1").arg(timeText(moment, 0.01)));
+    painter.drawText(QRectF(at.x() - withTextSize(60), at.y() + 9, withTextSize(120),
+                            painter.fontMetrics().height()),
+                     Qt::AlignCenter, tr("hit, %1").arg(timeText(moment, 0.01)));
 }
 
 void KeyStrip::paintKeys(QPainter& painter) const {
@@ -155,8 +156,9 @@ void KeyStrip::paintKeys(QPainter& painter) const {
         painter.drawPolygon(diamond, 4);
         painter.setBrush(Qt::NoBrush);
         painter.setPen(c.secondText);
-        painter.drawText(QRectF(at.x() - 30, at.y() + radius + 1, 60, 16), Qt::AlignCenter,
-                         QString::number(isDragged ? to_ : key.frame));
+        painter.drawText(QRectF(at.x() - withTextSize(30), at.y() + radius + 1, withTextSize(60),
+                                painter.fontMetrics().height()),
+                         Qt::AlignCenter, QString::number(isDragged ? to_ : key.frame));
     }
 }
 

@@ -136,6 +136,7 @@ QSize ConfusionMatrix::sizeHint() const {
 
 void ConfusionMatrix::arrange() {
     layout_ = layOut(table_, width(), QFontMetricsF(font()));
+    setMinimumHeight(heightForWidth(width()));  // the page scrolls rather than cut it
     updateGeometry();
     update();
 }

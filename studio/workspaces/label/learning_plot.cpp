@@ -15,7 +15,6 @@ namespace kumite::studio {
 
 namespace {
 
-constexpr double kTop = 18;  ///< room for the legend
 const QColor kAsked("#009e73");
 
 QPainterPath pathOf(const std::vector<QPointF>& points) {
@@ -92,8 +91,9 @@ void LearningPlot::show(const LearningPlotValues& values) {
 LearningPlotAxes LearningPlot::axes() const {
     const QFontMetricsF metrics(font());
     const double left = metrics.horizontalAdvance(QStringLiteral("100 %")) + 6;
-    return axesOf(values_, QRectF(left, kTop, width() - left - 8,
-                                  height() - kTop - 2 * metrics.height() - 6));
+    const double top = metrics.height() + 4;  // the legend
+    return axesOf(values_,
+                  QRectF(left, top, width() - left - 8, height() - top - 2 * metrics.height() - 6));
 }
 
 QString LearningPlot::textAt(double labels) const {
@@ -198,9 +198,10 @@ void LearningPlot::paintCurves(QPainter& painter, const LearningPlotAxes& axes) 
 void LearningPlot::paintLegend(QPainter& painter, const LearningPlotAxes& axes) const {
     const Colours& c = coloursFor(palette());
     const QFontMetricsF metrics(font());
+    const double top = axes.area.top();
     if (pointer_) {
         painter.setPen(c.text);
-        painter.drawText(QRectF(0, 0, width(), kTop - 2), Qt::AlignLeft | Qt::AlignVCenter,
+        painter.drawText(QRectF(0, 0, width(), top - 2), Qt::AlignLeft | Qt::AlignVCenter,
                          metrics.elidedText(textAt(*pointer_), Qt::ElideRight, width()));
         return;
     }
@@ -222,11 +223,11 @@ void LearningPlot::paintLegend(QPainter& painter, const LearningPlotAxes& axes) 
     double x = std::max(0.0, std::min(axes.area.left(), width() - all));
     for (const Entry& entry : entries) {
         painter.setPen(entry.pen);
-        painter.drawLine(QPointF(x, kTop / 2 - 1), QPointF(x + kLine, kTop / 2 - 1));
+        painter.drawLine(QPointF(x, top / 2 - 1), QPointF(x + kLine, top / 2 - 1));
         x += kLine + kGap;
         painter.setPen(c.secondText);
         const double wide = metrics.horizontalAdvance(entry.text);
-        painter.drawText(QRectF(x, 0, wide + 2, kTop - 2), Qt::AlignVCenter, entry.text);
+        painter.drawText(QRectF(x, 0, wide + 2, top - 2), Qt::AlignVCenter, entry.text);
         x += wide + kBetween;
     }
 }
