@@ -114,8 +114,8 @@ TEST_F(SafetyTest, VersionsAreListedAndRestoredAsAnEdit) {
     QTRY_COMPARE(list->topLevelItemCount(), 2);
     EXPECT_EQ(list->topLevelItem(0)->text(2), "1");
     EXPECT_EQ(list->topLevelItem(1)->text(2), "0");
-    QTest::keyClick(list, Qt::Key_Down);
-    QTest::keyClick(dialog, Qt::Key_Return);
+    pressIn(*dialog, Qt::Key_Down, list);
+    pressIn(*dialog, Qt::Key_Return);
     settle();
     std::string steps;
     for (const auto& step : session().document().history().steps())
