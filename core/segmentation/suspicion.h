@@ -12,8 +12,9 @@ namespace kumite {
 /// threshold get 0 (they cut nothing).
 using Suspicion = std::vector<double>;
 
-/// From this suspicion on a minimum is worth a look: it is marked, counted and led to.
-inline constexpr double kSuspect = 0.15;
+/// From this suspicion on a minimum is worth a look: it is marked, counted and led to. In made
+/// bouts one look in 21 minima finds 97 of 100 spurious ones; from 0.15 on, one in 33 finds 89.
+inline constexpr double kSuspect = 0.10;
 
 /// What makes a minimum more suspicious than an everyday one (negative: less), in log-odds as the
 /// model weighs it: that it is shallow, that its force is high, that others are near, that a foot

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <new>
+#include <utility>
 
 #include "core/base/error.h"
 #include "studio/app/core_words.h"
@@ -51,7 +52,7 @@ void JobRunner::launch(const QString& title, std::function<Delivery(const Progre
 
     auto run = [this, number, work = std::move(work)](std::stop_token stop) {
         Progress progress;
-        progress.stop = stop;
+        progress.stop = std::move(stop);
         auto shown = std::make_shared<std::atomic<int>>(0);
         progress.report = [this, number, shown](double fraction) {
             const int percent = static_cast<int>(fraction * 100);

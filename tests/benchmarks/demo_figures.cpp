@@ -77,6 +77,7 @@ struct Range {
 struct MadeFigures {
     Range f1, spuriousShare, actionsPerSecond, overlapShare;
     int spurious = 0, spuriousInTop = 0;
+    test::ReviewFigures review;
     double making = 0;  ///< seconds, the slowest
 };
 
@@ -107,6 +108,12 @@ void measure(double seconds, std::uint64_t seed, const std::filesystem::path& fo
         all.actionsPerSecond.add(test::measureMotion(fighter).actionsPerSecond);
         printMotion(fighter);
     }
+    const test::ReviewFigures review = test::reviewByTruth(project, truth["players"], 60);
+    std::cout << fmt::format("   review: {} decisions remove {} spurious minima, {} are left\n",
+                             review.decisions, review.removed, review.spuriousLeft);
+    all.review.decisions += review.decisions;
+    all.review.removed += review.removed;
+    all.review.spuriousLeft += review.spuriousLeft;
     printPair(project.takes[0], analysis.takes[0]);
     all.overlapShare.add(100 * test::measurePair(project.takes[0], analysis.takes[0]).overlapShare);
     const test::LabelFigures labels = test::measureLabels(truth);
@@ -134,6 +141,9 @@ void addRows(const MadeFigures& all, const std::string& size) {
                    fmt::format("{} %, {} of {} among the top 5 % of suspects",
                                all.spuriousShare.text(1), all.spuriousInTop, all.spurious),
                    "paper's stream: 2 %"});
+    bench::addRow({"made bouts: review, one key a decision, until no suspect is left", size,
+                   fmt::format("{} decisions remove {} spurious minima, {} are left",
+                               all.review.decisions, all.review.removed, all.review.spuriousLeft)});
     bench::addRow({"made bouts: actions a second", size, all.actionsPerSecond.text(2),
                    "paper's stream: 1.5"});
     bench::addRow({"made bouts: frames with limbs more than 3 cm in each other", size,

@@ -153,7 +153,7 @@ TEST_F(ImportTest, SaysWhatIsWrongAndStays) {
         wait();
         EXPECT_FALSE(findings().isEmpty()) << text;
         EXPECT_FALSE(button("Open bout")->isEnabled()) << text;
-        pressIn(*dialog_, Qt::Key_Return);
+        QTest::keyClick(dialog_.get(), Qt::Key_Return);
         EXPECT_TRUE(dialog_->isVisible()) << text;
         named<QLineEdit>(name)->clear();
         wait();
@@ -232,7 +232,7 @@ TEST_F(ImportTest, DroppedRecordingsOpenTheDialogPrefilled) {
     QTRY_VERIFY(qobject_cast<ImportDialog*>(QApplication::activeModalWidget()) != nullptr);
     auto* dialog = static_cast<ImportDialog*>(QApplication::activeModalWidget());
     QTRY_VERIFY_WITH_TIMEOUT(!dialog->isBusy(), 30000);
-    pressIn(*dialog, Qt::Key_Return);
+    QTest::keyClick(dialog, Qt::Key_Return);
     settle();
     EXPECT_EQ(session().playerCount(), 2);
     EXPECT_TRUE(session().document().isModified());

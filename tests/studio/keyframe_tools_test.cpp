@@ -127,7 +127,7 @@ TEST_F(KeyframeTest, APartOfATakeIsReplaced) {
     EXPECT_TRUE(
         QTest::qWaitFor([&] { return session().document().project().takes.size() == 2; }, 10000));
     EXPECT_TRUE(QFileInfo::exists(file("edited.bvh")));
-    pressIn(*dialog, Qt::Key_Escape);
+    QTest::keyClick(dialog, Qt::Key_Escape);
 }
 
 /// Strikes come with the demo bout and its labels.

@@ -197,7 +197,7 @@ TEST_F(KeyframeTest, APoseIsCopiedFromAnyFrame) {
     auto* dialog = window_->findChild<PoseDialog*>();
     ASSERT_NE(dialog, nullptr);
     dialog->findChild<QSlider*>()->setValue(47);
-    pressIn(*dialog, Qt::Key_Return);
+    QTest::keyClick(dialog, Qt::Key_Return);
     settle();
     const Pose& wanted = keys().motions()->motions[0].clip.frames[47];
     for (std::size_t j = 0; j < wanted.turns.size(); ++j)

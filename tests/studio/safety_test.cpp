@@ -114,13 +114,14 @@ TEST_F(SafetyTest, VersionsAreListedAndRestoredAsAnEdit) {
     QTRY_COMPARE(list->topLevelItemCount(), 2);
     EXPECT_EQ(list->topLevelItem(0)->text(2), "1");
     EXPECT_EQ(list->topLevelItem(1)->text(2), "0");
-    pressIn(*dialog, Qt::Key_Down, list);
-    pressIn(*dialog, Qt::Key_Return);
+    QTest::keyClick(list, Qt::Key_Down);
+    QTest::keyClick(dialog, Qt::Key_Return);
     settle();
     std::string steps;
     for (const auto& step : session().document().history().steps())
         steps += step.name + "; ";
-    EXPECT_EQ(session().document().project(), first) << steps << window_->messages().text().toStdString();
+    EXPECT_EQ(session().document().project(), first)
+        << steps << window_->messages().text().toStdString();
     EXPECT_TRUE(session().document().isModified());
     session().document().undo();
     EXPECT_EQ(session().document().project(), last) << steps;

@@ -132,11 +132,6 @@ void WindowTest::press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
     QTest::keyClick(&timeline(), key, modifiers);
 }
 
-void WindowTest::pressIn(QWidget& dialog, Qt::Key key, QWidget* focused) {
-    QApplication::setActiveWindow(&dialog);
-    QTest::keyClick(focused != nullptr ? focused : &dialog, key);
-}
-
 void WindowTest::click(const QPointF& position) {
     QTest::mouseClick(&timeline(), Qt::LeftButton, Qt::NoModifier, position.toPoint());
 }

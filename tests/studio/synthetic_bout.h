@@ -36,9 +36,6 @@ protected:
     BoundaryRef someBoundary(int player);
     const BoundaryMark* mark(const BoundaryRef& boundary);
     void press(Qt::Key key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-    /// In a dialog: whichever window the display has made the active one by now, no shortcut of the
-    /// main window takes the key, as it does for nobody while a dialog is open.
-    void pressIn(QWidget& dialog, Qt::Key key, QWidget* focused = nullptr);
     void click(const QPointF& position);
     /// Rests the pointer on a widget. The window is told so itself: a move of the real pointer
     /// (what QTest does for widgets) comes by way of the X server, at its own time.

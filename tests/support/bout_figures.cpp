@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
+#include <optional>
+
+#include <fmt/format.h>
 
 #include "core/motion/feet.h"
 #include "core/motion/overlap.h"
+#include "core/project/edits.h"
 
 namespace kumite::test {
 namespace {
@@ -67,44 +70,59 @@ double mutualInformation(const std::vector<std::pair<std::string, std::string>>&
 
 }  // namespace
 
-CutFigures compareCut(const FighterAnalysis& fighter, const json& truePlayer, double rate) {
+namespace {
+
+/// A minimum that cuts, and what the plan says of it.
+struct Found {
+    int frame;
+    double suspicion;
+    bool judged;    ///< by a hand
+    bool matched;   ///< a planned boundary is its own
+    bool spurious;  ///< the plan has a spurious minimum here
+};
+
+std::vector<Found> foundMinima(const FighterAnalysis& fighter, const json& truePlayer,
+                               double rate) {
     const auto planned = truePlayer["boundaries"].get<std::vector<int>>();
     const auto spurious = truePlayer["spurious"].get<std::vector<int>>();
     const double tolerance = 0.0334 * rate;
-    CutFigures figures;
-    figures.planned = static_cast<int>(planned.size()) - 2;
-    struct Found {
-        int frame;
-        double suspicion;
-        bool spurious;
-    };
     std::vector<Found> found;
     const Segmentation& cut = *fighter.segmentation;
     for (const Boundary& boundary : cut.boundaries) {
         if (boundary.source == BoundarySource::End || !boundary.minimum) continue;
         found.push_back({boundary.frame,
-                         (*fighter.suspicion)[static_cast<std::size_t>(*boundary.minimum)], false});
+                         (*fighter.suspicion)[static_cast<std::size_t>(*boundary.minimum)],
+                         boundary.source != BoundarySource::Detected, false, false});
     }
-    figures.found = static_cast<int>(found.size());
-    std::set<std::size_t> used;
     for (std::size_t i = 1; i + 1 < planned.size(); ++i) {
         std::size_t best = found.size();
         for (std::size_t k = 0; k < found.size(); ++k) {
             const int distance = std::abs(found[k].frame - planned[i]);
-            if (distance > tolerance || used.count(k)) continue;
+            if (distance > tolerance || found[k].matched) continue;
             if (best == found.size() || distance < std::abs(found[best].frame - planned[i]))
                 best = k;
         }
-        if (best == found.size()) continue;
-        used.insert(best);
-        ++figures.matched;
+        if (best < found.size()) found[best].matched = true;
     }
-    for (std::size_t k = 0; k < found.size(); ++k) {
-        if (used.count(k)) continue;
+    for (Found& each : found) {
         for (const int frame : spurious) {
-            if (std::abs(found[k].frame - frame) <= 3 * tolerance) found[k].spurious = true;
+            if (!each.matched && std::abs(each.frame - frame) <= 3 * tolerance)
+                each.spurious = true;
         }
-        figures.spurious += found[k].spurious;
+    }
+    return found;
+}
+
+}  // namespace
+
+CutFigures compareCut(const FighterAnalysis& fighter, const json& truePlayer, double rate) {
+    std::vector<Found> found = foundMinima(fighter, truePlayer, rate);
+    CutFigures figures;
+    figures.planned = static_cast<int>(truePlayer["boundaries"].size()) - 2;
+    figures.found = static_cast<int>(found.size());
+    for (const Found& each : found) {
+        figures.matched += each.matched;
+        figures.spurious += each.spurious;
     }
     std::stable_sort(found.begin(), found.end(),
                      [](const Found& a, const Found& b) { return a.suspicion > b.suspicion; });
@@ -112,6 +130,37 @@ CutFigures compareCut(const FighterAnalysis& fighter, const json& truePlayer, do
     for (std::size_t k = 0; k < top; ++k)
         figures.spuriousInTop += found[k].spurious;
     return figures;
+}
+
+ReviewFigures reviewByTruth(Project project, const json& truePlayers, double rate) {
+    ReviewFigures figures;
+    Analysis analysis = analyse(project);
+    for (;;) {
+        std::optional<Found> worst;
+        FighterAddress whose;
+        int left = 0;
+        for (int player = 0; player < 2; ++player) {
+            const auto slot = static_cast<std::size_t>(player);
+            for (const Found& each :
+                 foundMinima(analysis.takes[0][slot], truePlayers[slot], rate)) {
+                left += each.spurious && !each.judged;
+                if (each.judged || each.suspicion < kSuspect) continue;
+                if (worst && worst->suspicion >= each.suspicion) continue;
+                worst = each;
+                whose = {0, player};
+            }
+        }
+        figures.spuriousLeft = left;
+        if (!worst) return figures;
+        const MaybeEdit edit = worst->spurious
+                                   ? removeBoundary(project, analysis, whose, worst->frame)
+                                   : acceptBoundary(project, analysis, whose, worst->frame);
+        if (!edit) throw Error(fmt::format("Frame {} cannot be judged.", worst->frame));
+        ++figures.decisions;
+        figures.removed += worst->spurious;
+        project = edit->project;
+        analysis = analyse(project, analysis);
+    }
 }
 
 MotionFigures measureMotion(const FighterAnalysis& fighter) {

@@ -23,6 +23,17 @@ struct CutFigures {
 CutFigures compareCut(const FighterAnalysis& fighter, const nlohmann::json& truePlayer,
                       double rate);
 
+/// What it takes to review a made bout as the window leads through it.
+struct ReviewFigures {
+    int decisions = 0;     ///< keys: one removes or keeps and goes on
+    int removed = 0;       ///< spurious ones among them
+    int spuriousLeft = 0;  ///< that nobody was led to
+};
+
+/// Judges the most suspicious minimum of both fighters by the truth, again and again until no
+/// suspect is left; the order learns from every answer.
+ReviewFigures reviewByTruth(Project project, const nlohmann::json& truePlayers, double rate);
+
 /// What the motion of a fighter is like, whether made or recorded.
 struct MotionFigures {
     double seconds = 0;
